@@ -1,0 +1,14 @@
+# pupflow_target(NAME): the language level, warnings and floating-point rules that all code shares.
+include(GNUInstallDirs)
+
+function(pupflow_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES
+    CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON INTERPROCEDURAL_OPTIMIZATION ${PUPFLOW_IPO})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  # One seed gives the same bits from every compiler and at every level: no contraction of a * b + c.
+  # -Wrestrict: GCC 12 warns wrongly about std::string (its bug 105651).
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
+    -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast $<$<BOOL:${PUPFLOW_WERROR}>:-Werror>)
+endfunction()

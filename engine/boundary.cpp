@@ -1,0 +1,68 @@
+#include "engine/boundary.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pupflow {
+namespace {
+
+template <class Real>
+void apply_floor(Real r, int stride, Real* z, Real* vz) {
+  for (int i = 0; i < stride; ++i) {
+    const bool below = z[i] - r < 0;
+    vz[i] = below ? std::abs(vz[i]) : vz[i];
+    z[i] = below ? r : z[i];
+  }
+}
+
+template <class Real>
+bool reaches_wall(Real x, Real y, Real r, Real arena_squared) {
+  const Real dx = std::abs(x) + r, dy = std::abs(y) + r;
+  return dx * dx + dy * dy > arena_squared;
+}
+
+template <class Real>
+void push_from_wall(Real h, std::size_t i, State<Real>& s) {
+  const Real distance = std::sqrt(s.x[i] * s.x[i] + s.y[i] * s.y[i]);
+  const Real wx = distance > 0 ? -s.x[i] / distance : Real(-1);  // atan2(0, 0) = 0
+  const Real wy = distance > 0 ? -s.y[i] / distance : Real(0);
+  s.vx[i] = (s.vx[i] + wx) / 2;
+  s.vy[i] = (s.vy[i] + wy) / 2;
+  s.vz[i] = s.vz[i] / 2;
+  s.x[i] += h * s.vx[i];
+  s.y[i] += h * s.vy[i];
+  s.z[i] += h * s.vz[i];
+}
+
+}  // namespace
+
+template <class Real>
+void apply_boundaries(const Params& params, State<Real>& state) {
+  const auto r = static_cast<Real>(params.point_radius);
+  const auto h = static_cast<Real>(params.dt);
+  const auto arena = static_cast<Real>(params.arena_radius);
+  for (int pup = 0; pup < state.pups; ++pup) {
+    Box<Real>& box = state.bounds[pup];
+    const std::size_t row = state.row(pup);
+    if (box.low[2] - r < 0) {
+      apply_floor(r, state.stride, state.z.data() + row, state.vz.data() + row);
+      box.low[2] = r;
+      box.high[2] = std::max(box.high[2], r);
+    }
+    const Real far_x = std::max(std::abs(box.low[0]), std::abs(box.high[0]));
+    const Real far_y = std::max(std::abs(box.low[1]), std::abs(box.high[1]));
+    if (!reaches_wall(far_x, far_y, r, arena * arena)) continue;
+    bool moved = false;
+    for (std::size_t i = row; i < row + state.stride; ++i) {
+      if (!reaches_wall(state.x[i], state.y[i], r, arena * arena)) continue;
+      push_from_wall(h, i, state);
+      moved = true;
+    }
+    if (moved) update_bounds(state, pup);
+  }
+}
+
+template void apply_boundaries<float>(const Params&, State<float>&);
+template void apply_boundaries<double>(const Params&, State<double>&);
+
+}  // namespace pupflow

@@ -1,0 +1,72 @@
+#include "engine/cloud.h"
+
+#include <array>
+#include <cmath>
+
+#include "engine/pack.h"
+
+namespace pupflow {
+namespace {
+
+Eigen::Vector3d cube_to_sphere(double x, double y, double z) {
+  const double xx = x * x, yy = y * y, zz = z * z;
+  return {x * std::sqrt(1 - yy / 2 - zz / 2 + yy * zz / 3),
+          y * std::sqrt(1 - zz / 2 - xx / 2 + zz * xx / 3),
+          z * std::sqrt(1 - xx / 2 - yy / 2 + xx * yy / 3)};
+}
+
+/// The eight deformation modes at one rest offset, not yet scaled.
+std::array<double, kModes> modes_at(const Eigen::Vector3d& q) {
+  const double x = q.x(), y = q.y(), z = q.z();
+  return {1, x, y, z, x * x - y * y, 2 * z * z - x * x - y * y, x * y, y * z, z * x};
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> cube_sphere(int face_points, double radius) {
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(static_cast<std::size_t>(6) * face_points * face_points);
+  const auto grid = [&](int i) { return (2 * i + 1.0) / face_points - 1; };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {1.0, -1.0}) {
+      for (int i = 0; i < face_points; ++i) {
+        for (int j = 0; j < face_points; ++j) {
+          Eigen::Vector3d on_cube;
+          on_cube[axis] = side;
+          on_cube[(axis + 1) % 3] = grid(i);
+          on_cube[(axis + 2) % 3] = grid(j);
+          points.push_back(radius * cube_to_sphere(on_cube.x(), on_cube.y(), on_cube.z()));
+        }
+      }
+    }
+  }
+  return points;
+}
+
+template <class Real>
+Cloud<Real> make_cloud(const std::vector<Eigen::Vector3d>& rest) {
+  Cloud<Real> cloud;
+  cloud.points = static_cast<int>(rest.size());
+  cloud.stride = padded<Real>(cloud.points);
+  cloud.mode.assign(static_cast<std::size_t>(kModes) * cloud.stride, Real(0));
+  std::array<double, kModes> square_sum{};
+  for (const Eigen::Vector3d& q : rest) {
+    const auto value = modes_at(q);
+    for (int m = 0; m < kModes; ++m) square_sum[m] += value[m] * value[m];
+  }
+  cloud.linear_scale = std::sqrt(square_sum[1]);
+  for (int i = 0; i < cloud.points; ++i) {
+    const auto value = modes_at(rest[i]);
+    for (int m = 0; m < kModes; ++m) {
+      const double scale = m == kMeanMode ? square_sum[m] : std::sqrt(square_sum[m]);
+      cloud.mode[static_cast<std::size_t>(m) * cloud.stride + i] =
+          static_cast<Real>(value[m] / scale);
+    }
+  }
+  return cloud;
+}
+
+template Cloud<float> make_cloud<float>(const std::vector<Eigen::Vector3d>&);
+template Cloud<double> make_cloud<double>(const std::vector<Eigen::Vector3d>&);
+
+}  // namespace pupflow

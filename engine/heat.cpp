@@ -1,0 +1,56 @@
+#include "engine/heat.h"
+
+#include <cmath>
+
+#include "engine/elementary.h"
+
+namespace pupflow {
+namespace {
+
+/// Mean temperature of those whom the points of `pup` touch; 0 when it touches nobody.
+template <class Real>
+double mean_touched_temperature(const State<Real>& state, int pup) {
+  const int* touched = state.touched.data() + state.flat(pup);
+  double sum = 0;
+  int count = 0;
+  for (int i = 0; i < state.points; ++i) {
+    if (touched[i] < 0) continue;
+    sum += state.tb[touched[i]];
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+}  // namespace
+
+double heat_step(const Params& params, double tb, double exposed, double contact_mean) {
+  const double to_air = params.k1 * exposed;
+  const double to_others = exposed < 1 ? params.k2 * (1 - exposed) : 0;
+  // Differences first: terms of huge opposite temperatures then do not cancel.
+  const double rate = params.g - to_air * (tb - params.ta) - to_others * (tb - contact_mean);
+  if (params.heat == HeatRule::euler) return tb + params.dt * rate;
+  const double decay = (to_air + to_others) * params.dt;
+  const double weight = decay > 0 ? -expm1_fixed(-decay) / decay : 1;
+  return tb + params.dt * weight * rate;
+}
+
+template <class Real>
+Status Heat<Real>::apply(const Params& params, State<Real>& state) {
+  next_.resize(state.pups);
+  Status status;
+  for (int pup = 0; pup < state.pups; ++pup) {
+    const double exposed = state.exposed[pup];
+    const double contact_mean = exposed < 1 ? mean_touched_temperature(state, pup) : 0;
+    next_[pup] = heat_step(params, state.tb[pup], exposed, contact_mean);
+    if (!std::isfinite(next_[pup]) && status.ok()) {
+      status = {Status::Kind::non_finite, Stage::heat, state.step + 1, pup, -1};
+    }
+  }
+  state.tb.swap(next_);
+  return status;
+}
+
+template class Heat<float>;
+template class Heat<double>;
+
+}  // namespace pupflow

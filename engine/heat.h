@@ -1,0 +1,29 @@
+// Stage 3 of a step: heat.
+//
+// dT_b/dt = G - k1 A (T_b - T_a) - k2 (1 - A)(T_b - mean T_c), Wilson 2017 after Glancy et al.
+// 2015; A is the exposed share of the surface and T_c what the touching afferents feel. The
+// exchange term is absent when nothing touches. With A and T_c held over a step the equation is
+// linear and solved exactly.
+#pragma once
+
+#include "engine/params.h"
+#include "engine/state.h"
+#include "engine/status.h"
+
+namespace pupflow {
+
+/// T_b after one step of `params.dt`, by `params.heat`. `exposed` is A; `contact_mean` the mean T_c
+/// of the touching afferents, which only counts where exposed < 1.
+double heat_step(const Params& params, double tb, double exposed, double contact_mean);
+
+/// Heats and cools all pups of a litter at once.
+template <class Real>
+class Heat {
+ public:
+  Status apply(const Params& params, State<Real>& state);
+
+ private:
+  std::vector<double> next_;
+};
+
+}  // namespace pupflow

@@ -1,0 +1,277 @@
+#include "engine/simulation.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "engine/elementary.h"
+#include "engine/start.h"
+
+namespace pupflow {
+
+/// What the face needs of a litter, whatever its precision.
+class Simulation::Model {
+ public:
+  virtual ~Model() = default;
+  virtual std::unique_ptr<Model> clone() const = 0;
+  virtual Status advance(StageListener* listener) = 0;
+  virtual std::size_t size() const = 0;  // coordinates of all points
+  virtual void copy_positions(std::span<float> xyz) const = 0;
+  virtual void copy_positions(std::span<double> xyz) const = 0;
+  virtual void copy_velocities(std::span<double> xyz) const = 0;
+  virtual void set_cloud(int pup, std::span<const double> positions,
+                         std::span<const double> velocities) = 0;
+  virtual Eigen::Vector3d centre(int pup) const = 0;
+  virtual std::vector<double>& tb() = 0;
+  virtual std::vector<double>& heading() = 0;
+  virtual std::span<const double> exposed() const = 0;
+  virtual std::span<const int> touched() const = 0;
+  virtual std::span<const TouchingPair> touching() const = 0;
+  virtual std::int64_t step() const = 0;
+  virtual double time() const = 0;
+  virtual int pups() const = 0;
+  virtual int points() const = 0;
+  virtual std::uint64_t hash() const = 0;
+
+  Params params;
+  Plan plan;
+  bool observed = true;
+  Status status;
+  StepCounters counters;
+
+ protected:
+  explicit Model(const Params& p) : params(p), plan(make_plan(p, true)) {}
+  Model(const Model&) = default;
+};
+
+template <class Real>
+class Simulation::LitterModel final : public Simulation::Model {
+ public:
+  explicit LitterModel(const Params& p)
+      : Model(p), state_(make_state<Real>(p.pups, points_per_pup(p))) {
+    const auto rest = cube_sphere(p.face_points, p.pup_radius);
+    cloud_ = std::make_shared<const Cloud<Real>>(make_cloud<Real>(rest));
+    lay_out(p, rest, state_);
+  }
+
+  std::unique_ptr<Model> clone() const override { return std::make_unique<LitterModel>(*this); }
+
+  Status advance(StageListener* listener) override {
+    return step_litter(params, plan, *cloud_, state_, workspace_, counters, listener);
+  }
+
+  std::size_t size() const override { return 3 * state_.flat(state_.pups); }
+  void copy_positions(std::span<float> xyz) const override {
+    copy(state_.x, state_.y, state_.z, xyz);
+  }
+  void copy_positions(std::span<double> xyz) const override {
+    copy(state_.x, state_.y, state_.z, xyz);
+  }
+  void copy_velocities(std::span<double> xyz) const override {
+    copy(state_.vx, state_.vy, state_.vz, xyz);
+  }
+
+  void set_cloud(int pup, std::span<const double> positions,
+                 std::span<const double> velocities) override {
+    AlignedVector<Real>* position[3] = {&state_.x, &state_.y, &state_.z};
+    AlignedVector<Real>* velocity[3] = {&state_.vx, &state_.vy, &state_.vz};
+    for (int i = 0; i < state_.stride; ++i) {
+      const std::size_t from = 3 * static_cast<std::size_t>(std::min(i, state_.points - 1));
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        (*position[axis])[state_.row(pup) + i] = static_cast<Real>(positions[from + axis]);
+        (*velocity[axis])[state_.row(pup) + i] = static_cast<Real>(velocities[from + axis]);
+      }
+    }
+    update_bounds(state_, pup);
+  }
+
+  Eigen::Vector3d centre(int pup) const override {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = state_.row(pup); i < state_.row(pup) + state_.points; ++i) {
+      sum += Eigen::Vector3d(state_.x[i], state_.y[i], state_.z[i]);
+    }
+    return sum / state_.points;
+  }
+
+  std::vector<double>& tb() override { return state_.tb; }
+  std::vector<double>& heading() override { return state_.heading; }
+  std::span<const double> exposed() const override { return state_.exposed; }
+  std::span<const int> touched() const override { return state_.touched; }
+  std::span<const TouchingPair> touching() const override { return state_.touching; }
+  std::int64_t step() const override { return state_.step; }
+  double time() const override { return state_.time; }
+  int pups() const override { return state_.pups; }
+  int points() const override { return state_.points; }
+  std::uint64_t hash() const override { return hash_state(state_); }
+
+ private:
+  template <class Out>
+  void copy(const AlignedVector<Real>& x, const AlignedVector<Real>& y,
+            const AlignedVector<Real>& z, std::span<Out> xyz) const {
+    std::size_t out = 0;
+    for (int pup = 0; pup < state_.pups; ++pup) {
+      for (std::size_t i = state_.row(pup); i < state_.row(pup) + state_.points; ++i) {
+        xyz[out++] = static_cast<Out>(x[i]);
+        xyz[out++] = static_cast<Out>(y[i]);
+        xyz[out++] = static_cast<Out>(z[i]);
+      }
+    }
+  }
+
+  std::shared_ptr<const Cloud<Real>> cloud_;  // never changes, so copies share it
+  State<Real> state_;
+  Workspace<Real> workspace_;
+};
+
+namespace {
+
+void require_sound(const Params& params) {
+  std::vector<Problem> problems = check(params);
+  if (!problems.empty()) throw InvalidParams(std::move(problems));
+}
+
+void require_size(std::size_t size, std::size_t expected, const char* what) {
+  if (size == expected) return;
+  throw std::invalid_argument(std::string(what) + " holds " + std::to_string(size) +
+                              " numbers, not " + std::to_string(expected));
+}
+
+void require_pup(int pup, int pups) {
+  if (pup >= 0 && pup < pups) return;
+  throw std::out_of_range("there is no pup " + std::to_string(pup) + " among " +
+                          std::to_string(pups));
+}
+
+}  // namespace
+
+Simulation::Simulation(const Params& params) {
+  require_sound(params);
+  if (params.precision == Precision::float_) {
+    model_ = std::make_unique<LitterModel<float>>(params);
+  } else {
+    model_ = std::make_unique<LitterModel<double>>(params);
+  }
+}
+
+Simulation::Simulation(const Simulation& other) : model_(other.model_->clone()) {}
+Simulation::Simulation(Simulation&& other) noexcept = default;
+Simulation& Simulation::operator=(const Simulation& other) {
+  if (this != &other) model_ = other.model_->clone();
+  return *this;
+}
+Simulation& Simulation::operator=(Simulation&& other) noexcept = default;
+Simulation::~Simulation() = default;
+
+const Params& Simulation::params() const {
+  return model_->params;
+}
+
+void Simulation::set_params(const Params& params) {
+  require_sound(params);
+  if (needs_restart(model_->params, params)) {
+    throw std::logic_error("these parameters define the litter and need a new simulation");
+  }
+  model_->params = params;
+  model_->plan = make_plan(params, model_->observed);
+}
+
+void Simulation::set_observed(bool observed) {
+  model_->observed = observed;
+  model_->plan = make_plan(model_->params, observed);
+}
+
+const Plan& Simulation::plan() const {
+  return model_->plan;
+}
+
+Status Simulation::step(StageListener* listener) {
+  if (model_->status.ok()) model_->status = model_->advance(listener);
+  return model_->status;
+}
+
+Status Simulation::run(std::int64_t count) {
+  for (std::int64_t i = 0; i < count && step().ok(); ++i) {
+  }
+  return model_->status;
+}
+
+const Status& Simulation::status() const {
+  return model_->status;
+}
+std::int64_t Simulation::steps_done() const {
+  return model_->step();
+}
+double Simulation::time() const {
+  return model_->time();
+}
+int Simulation::pups() const {
+  return model_->pups();
+}
+int Simulation::points() const {
+  return model_->points();
+}
+
+void Simulation::copy_positions(std::span<float> xyz) const {
+  require_size(xyz.size(), model_->size(), "the span for positions");
+  model_->copy_positions(xyz);
+}
+
+void Simulation::copy_positions(std::span<double> xyz) const {
+  require_size(xyz.size(), model_->size(), "the span for positions");
+  model_->copy_positions(xyz);
+}
+
+void Simulation::copy_velocities(std::span<double> xyz) const {
+  require_size(xyz.size(), model_->size(), "the span for velocities");
+  model_->copy_velocities(xyz);
+}
+
+void Simulation::set_cloud(int pup, std::span<const double> positions,
+                           std::span<const double> velocities) {
+  require_pup(pup, pups());
+  const std::size_t expected = 3 * static_cast<std::size_t>(points());
+  require_size(positions.size(), expected, "the cloud");
+  require_size(velocities.size(), expected, "the cloud's velocities");
+  model_->set_cloud(pup, positions, velocities);
+}
+
+Eigen::Vector3d Simulation::centre(int pup) const {
+  require_pup(pup, pups());
+  return model_->centre(pup);
+}
+
+std::span<const double> Simulation::body_temperature() const {
+  return model_->tb();
+}
+std::span<const double> Simulation::heading() const {
+  return model_->heading();
+}
+std::span<const double> Simulation::exposed() const {
+  return model_->exposed();
+}
+
+void Simulation::set_body_temperature(int pup, double value) {
+  require_pup(pup, pups());
+  model_->tb()[pup] = value;
+}
+
+void Simulation::set_heading(int pup, double radians) {
+  require_pup(pup, pups());
+  model_->heading()[pup] = wrap_angle(radians);
+}
+
+std::span<const int> Simulation::touched_pup() const {
+  return model_->touched();
+}
+std::span<const TouchingPair> Simulation::touching() const {
+  return model_->touching();
+}
+std::int64_t Simulation::rotation_fallbacks() const {
+  return model_->counters.rotation_fallbacks;
+}
+std::uint64_t Simulation::hash() const {
+  return model_->hash();
+}
+
+}  // namespace pupflow

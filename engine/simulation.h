@@ -1,0 +1,100 @@
+// The face of the library: parameters in, step, look.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/params.h"
+#include "engine/plan.h"
+#include "engine/state.h"
+#include "engine/status.h"
+#include "engine/step.h"
+
+namespace pupflow {
+
+/// One litter in its arena. A value: copying it copies the whole state (that is how to take and
+/// restore a snapshot), and a copy goes on bit for bit like the original. Not thread-safe; separate
+/// objects may be used from separate threads.
+class Simulation {
+ public:
+  /// The litter of `params` at t = 0. Throws InvalidParams when `check(params)` finds a problem.
+  explicit Simulation(const Params& params);
+  Simulation(const Simulation& other);
+  Simulation(Simulation&& other) noexcept;
+  Simulation& operator=(const Simulation& other);
+  Simulation& operator=(Simulation&& other) noexcept;
+  ~Simulation();
+
+  const Params& params() const;
+
+  /// Parameters for the steps to come. Throws InvalidParams when they are unsound, and
+  /// std::logic_error when `needs_restart(this->params(), params)`: those define the litter.
+  void set_params(const Params& params);
+
+  /// Whether somebody will look at exposure, touching pairs or groups; true at first. Where nothing
+  /// else needs them, contacts do not record them while this is false.
+  void set_observed(bool observed);
+
+  const Plan& plan() const;
+
+  /// One step, t -> t + dt. After a bad status, which it then keeps returning, it does nothing.
+  Status step(StageListener* listener = nullptr);
+
+  /// Up to `count` steps, ending at the first bad status.
+  Status run(std::int64_t count);
+
+  /// The status of the last step.
+  const Status& status() const;
+
+  std::int64_t steps_done() const;
+  double time() const;  // model seconds; the sum of the steps' dt
+
+  int pups() const;
+  int points() const;  // per pup
+
+  /// Positions of all points as x0 y0 z0 x1 ..., pup by pup. `xyz.size()` must be
+  /// 3 * pups() * points(), else std::invalid_argument.
+  void copy_positions(std::span<float> xyz) const;
+  void copy_positions(std::span<double> xyz) const;
+  void copy_velocities(std::span<double> xyz) const;
+
+  /// Replaces the cloud of one pup, e.g. to set up an experiment: 3 * points() numbers each. Throws
+  /// std::out_of_range for a pup that is not there, std::invalid_argument for a wrong size.
+  void set_cloud(int pup, std::span<const double> positions, std::span<const double> velocities);
+
+  /// Mean of a pup's points.
+  Eigen::Vector3d centre(int pup) const;
+
+  /// One value per pup. `exposed` is the share A of its points that touched nobody in the last
+  /// step (1 at t = 0), `heading` the direction of travel theta in (-pi, pi].
+  std::span<const double> body_temperature() const;
+  std::span<const double> heading() const;
+  std::span<const double> exposed() const;
+  void set_body_temperature(int pup, double value);
+  void set_heading(int pup, double radians);
+
+  /// Whom each point touched in the last step, nearest first choice: points() entries per pup,
+  /// pup by pup; -1 for nobody.
+  std::span<const int> touched_pup() const;
+
+  /// Pups that touched in the last step, sorted.
+  std::span<const TouchingPair> touching() const;
+
+  /// Rotations since the start that came from flat, mirrored or collapsed clouds (rotation.h).
+  std::int64_t rotation_fallbacks() const;
+
+  /// A hash of everything that the future depends on: positions, velocities, temperatures,
+  /// headings, step count. Equal for equal bits, whatever the thread count or machine.
+  std::uint64_t hash() const;
+
+ private:
+  class Model;
+  template <class Real>
+  class LitterModel;
+  std::unique_ptr<Model> model_;
+};
+
+}  // namespace pupflow

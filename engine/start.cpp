@@ -1,0 +1,137 @@
+#include "engine/start.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/elementary.h"
+#include "engine/rng.h"
+
+namespace pupflow {
+namespace {
+
+using Eigen::Vector3d;
+
+// Random streams of one pup: where it starts, and how it is turned and headed.
+enum class Draw : std::uint64_t { place, pose };
+
+Rng stream(const Params& params, int pup, Draw draw) {
+  return Rng(static_cast<std::uint64_t>(params.seed),
+             2 * static_cast<std::uint64_t>(pup) + static_cast<std::uint64_t>(draw));
+}
+
+struct Site {
+  double x, y;
+};
+
+/// Sites of a hexagonal grid within `radius` of the centre, nearest first.
+std::vector<Site> hexagonal_sites(double spacing, double radius) {
+  std::vector<Site> sites;
+  const double row_height = spacing * std::sqrt(0.75);
+  const auto rows = static_cast<int>(radius / row_height);
+  for (int row = -rows; row <= rows; ++row) {
+    const double y = row * row_height, offset = row % 2 != 0 ? spacing / 2 : 0;
+    const auto columns = static_cast<int>(radius / spacing) + 1;
+    for (int column = -columns; column <= columns; ++column) {
+      const double x = column * spacing + offset;
+      if (x * x + y * y <= radius * radius) sites.push_back({x, y});
+    }
+  }
+  std::stable_sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) {
+    return a.x * a.x + a.y * a.y < b.x * b.x + b.y * b.y;
+  });
+  return sites;
+}
+
+/// How many sites such a grid has, without listing them: rows are counted one by one.
+std::size_t count_sites(double spacing, double radius) {
+  std::size_t count = 0;
+  const double row_height = spacing * std::sqrt(0.75);
+  const auto rows = static_cast<int>(std::min(radius / row_height, 1e6));
+  for (int row = -rows; row <= rows; ++row) {
+    const double y = row * row_height, offset = row % 2 != 0 ? spacing / 2 : 0;
+    const double half = std::sqrt(std::max(radius * radius - y * y, 0.0));
+    const double sites =
+        std::floor((half - offset) / spacing) + std::floor((half + offset) / spacing) + 1;
+    count += static_cast<std::size_t>(std::clamp(sites, 0.0, 1e6));
+  }
+  return count;
+}
+
+/// The widest spacing, from `least` up, at which `wanted` sites fit.
+double widest_spacing(double least, double radius, std::size_t wanted) {
+  double fits = least, too_wide = 2 * radius + 2 * least;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (fits + too_wide);
+    (count_sites(middle, radius) >= wanted ? fits : too_wide) = middle;
+  }
+  return fits;
+}
+
+std::vector<Vector3d> carpet(const Params& params) {
+  const double reach = params.pup_radius + params.point_radius;
+  constexpr double kGap = 1.05;  // between bodies at least, as a share of their diameter
+  const double least = 2 * reach * kGap, radius = params.arena_radius - reach;
+  const auto pups = static_cast<std::size_t>(params.pups);
+  const std::size_t capacity = std::max<std::size_t>(count_sites(least, radius), 1);
+  const std::size_t layers = (pups + capacity - 1) / capacity;
+  const std::size_t per_layer = (pups + layers - 1) / layers;
+  // A hair inside, so that listing the sites finds as many as counting them did.
+  const double spacing = widest_spacing(least, radius, per_layer) * (1 - 1e-9);
+  const std::vector<Site> sites = hexagonal_sites(spacing, radius);
+  const double jitter = (spacing - 2 * reach) / 4;
+  std::vector<Vector3d> centres;
+  for (std::size_t j = 0; j < pups; ++j) {
+    const Site site = sites.empty() ? Site{0, 0} : sites[j % per_layer % sites.size()];
+    Rng random = stream(params, static_cast<int>(j), Draw::place);
+    const double x = site.x + random.uniform(-jitter, jitter);
+    const double y = site.y + random.uniform(-jitter, jitter);
+    const double inward = std::min(1.0, radius / std::max(std::sqrt(x * x + y * y), 1e-300));
+    const double layer = static_cast<double>(j / per_layer);
+    centres.emplace_back(x * inward, y * inward, reach * kGap + layer * least);
+  }
+  return centres;
+}
+
+std::vector<Vector3d> column(const Params& params) {
+  std::vector<Vector3d> centres;
+  for (int j = 0; j < params.pups; ++j) {
+    Rng random = stream(params, j, Draw::place);
+    const double x = random.uniform(-params.start_spread, params.start_spread);
+    const double y = random.uniform(-params.start_spread, params.start_spread);
+    centres.emplace_back(x, y, j + params.pup_radius + params.point_radius);
+  }
+  return centres;
+}
+
+}  // namespace
+
+std::vector<Vector3d> start_centres(const Params& params) {
+  if (params.pups == 0) return {};
+  return params.start == Start::column ? column(params) : carpet(params);
+}
+
+template <class Real>
+void lay_out(const Params& params, const std::vector<Vector3d>& rest, State<Real>& state) {
+  const std::vector<Vector3d> centres = start_centres(params);
+  for (int pup = 0; pup < state.pups; ++pup) {
+    Rng random = stream(params, pup, Draw::pose);
+    const Eigen::Matrix3d rotation = random.rotation();
+    for (int i = 0; i < state.stride; ++i) {
+      const bool padding = i >= state.points;
+      const Vector3d position =
+          padding ? centres[pup] : Vector3d(centres[pup] + rotation * rest[i]);
+      const std::size_t k = state.row(pup) + i;
+      state.x[k] = static_cast<Real>(position.x());
+      state.y[k] = static_cast<Real>(position.y());
+      state.z[k] = static_cast<Real>(position.z());
+    }
+    state.tb[pup] = params.tb0;
+    state.heading[pup] = wrap_angle(random.uniform(-kPi, kPi));
+    update_bounds(state, pup);
+  }
+}
+
+template void lay_out<float>(const Params&, const std::vector<Vector3d>&, State<float>&);
+template void lay_out<double>(const Params&, const std::vector<Vector3d>&, State<double>&);
+
+}  // namespace pupflow

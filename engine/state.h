@@ -1,0 +1,64 @@
+// The litter's arrays, one array per component: what a step reads and writes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/aligned.h"
+
+namespace pupflow {
+
+/// Two pups that touched in the last step, first < second.
+struct TouchingPair {
+  int first, second;
+  friend bool operator==(const TouchingPair&, const TouchingPair&) = default;
+};
+
+/// An axis-aligned box.
+template <class Real>
+struct Box {
+  Real low[3], high[3];
+};
+
+/// Everything that the future of a litter depends on, and what the last step found out. Point i of
+/// pup j is element j * stride + i of each component. Elements from `points` to `stride` are
+/// padding: they have no weight anywhere, shape matching draws them to the pup's centre, and they
+/// stay finite.
+template <class Real>
+struct State {
+  int pups = 0;
+  int points = 0;  // per pup
+  int stride = 0;  // points padded to whole packs
+  AlignedVector<Real> x, y, z;
+  AlignedVector<Real> vx, vy, vz;
+  std::vector<Box<Real>> bounds;  // one per pup, round all its points (and its padding)
+
+  // Per pup. Double in either precision: there are few of them.
+  std::vector<double> tb;       // body temperature T_b
+  std::vector<double> heading;  // direction of travel theta, in (-pi, pi]
+  std::vector<double> exposed;  // share A of the points that touched nobody
+
+  // Results of the contact stage.
+  std::vector<int> touched;  // pup of the nearest touching point or -1; element j * points + i
+  std::vector<TouchingPair> touching;  // sorted
+
+  std::int64_t step = 0;
+  double time = 0;
+
+  std::size_t row(int pup) const { return static_cast<std::size_t>(pup) * stride; }
+  std::size_t flat(int pup) const { return static_cast<std::size_t>(pup) * points; }
+};
+
+/// A litter at rest with all points at the origin.
+template <class Real>
+State<Real> make_state(int pups, int points);
+
+/// Recomputes `bounds[pup]`. Returns false when a coordinate of the pup is not finite.
+template <class Real>
+bool update_bounds(State<Real>& state, int pup);
+
+/// Hash of positions, velocities, temperatures, headings and step count.
+template <class Real>
+std::uint64_t hash_state(const State<Real>& state);
+
+}  // namespace pupflow

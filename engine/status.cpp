@@ -1,0 +1,32 @@
+#include "engine/status.h"
+
+namespace pupflow {
+
+std::string_view stage_name(Stage stage) {
+  switch (stage) {
+    case Stage::boundary:
+      return "boundary";
+    case Stage::contact:
+      return "contact";
+    case Stage::steering:
+      return "steering";
+    case Stage::heat:
+      return "heat";
+    case Stage::predict:
+      return "predict";
+    case Stage::shape_match:
+      return "shape_match";
+  }
+  return "unknown";
+}
+
+std::string Status::message() const {
+  if (ok()) return "fine";
+  std::string text = kind == Kind::non_finite ? "non-finite number" : "diverged";
+  text += " at step " + std::to_string(step) + ", stage " + std::string(stage_name(stage)) +
+          ", pup " + std::to_string(pup);
+  if (point >= 0) text += ", point " + std::to_string(point);
+  return text;
+}
+
+}  // namespace pupflow

@@ -1,0 +1,37 @@
+// What a step reports: fine, or where the numbers went wrong.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace pupflow {
+
+/// The physical stages of a step, in the order in which they run.
+enum class Stage { boundary, contact, steering, heat, predict, shape_match };
+constexpr int kStageCount = 6;
+
+/// The stage's name as `explain`, errors and benchmarks print it.
+std::string_view stage_name(Stage stage);
+
+/// Outcome of a step. A step never repairs anything: after a bad status the state is left as the
+/// stage made it, for inspection, and only a new or restored simulation goes on.
+struct Status {
+  enum class Kind {
+    fine,
+    non_finite,  // a number became infinite or NaN
+    diverged     // a point is further than 100 pup radii from its pup's centre
+  };
+  Kind kind = Kind::fine;
+  Stage stage = Stage::boundary;  // the first stage whose result was bad
+  std::int64_t step = 0;          // the step that it happened in, counted from 1
+  int pup = -1;
+  int point = -1;  // -1 where the quantity belongs to the whole pup
+
+  bool ok() const { return kind == Kind::fine; }
+
+  /// One line for people, e.g. "non-finite number at step 12, stage heat, pup 3".
+  std::string message() const;
+};
+
+}  // namespace pupflow

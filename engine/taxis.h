@@ -1,0 +1,38 @@
+// Stage 4 of a step: homeothermotaxis, steering towards the side that feels better.
+//
+// T_L and T_R are the means of T_c over the points on the left (counter-clockwise of the heading,
+// seen from above) and on the right. S = 1/(1 + exp(-sigma T (T_p - T_b))) for each, and the turn
+// is atan(v (S_L - S_R)/(S_L + S_R)). heading = course: theta turns at that rate, theta <- theta +
+// h turn. heading = body: sides are taken about the body axis psi, and theta = psi + turn. Wilson
+// 2017.
+#pragma once
+
+#include "engine/cloud.h"
+#include "engine/params.h"
+#include "engine/state.h"
+#include "engine/status.h"
+
+namespace pupflow {
+
+/// The turn for given temperatures, radians within +-pi/2. Finite for any finite input; 0 where
+/// t_left = t_right.
+double turn(const Params& params, double tb, double t_left, double t_right);
+
+/// Direction psi of a pup's own axis, from its first point (its tail) to its centre, in (-pi, pi].
+/// A purely vertical axis gives 0.
+template <class Real>
+double body_axis(const Cloud<Real>& cloud, const State<Real>& state, int pup);
+
+/// Means of T_c on both sides of `direction` (radians) about the pup's centre.
+struct SideTemperatures {
+  double left, right;
+};
+template <class Real>
+SideTemperatures side_temperatures(const Params& params, const Cloud<Real>& cloud,
+                                   const State<Real>& state, int pup, double direction);
+
+/// Steers every pup: sets its heading.
+template <class Real>
+Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state);
+
+}  // namespace pupflow

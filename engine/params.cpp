@@ -227,7 +227,7 @@ const Parameter* find_parameter(std::string_view name) {
 
 std::string_view nearest_parameter(std::string_view name) {
   std::string_view best;
-  std::size_t best_distance = std::max<std::size_t>(name.size() / 3, 1) + 1;
+  std::size_t best_distance = (name.size() < 4 ? 1 : std::max<std::size_t>(name.size() / 3, 2)) + 1;
   for (const Parameter& parameter : kTable) {
     const std::size_t distance = edit_distance(name, parameter.name);
     if (distance < best_distance) {

@@ -39,7 +39,7 @@ void fit_some(const Cloud<Real>& cloud, const Real* const position[3], const Rea
 /// What one pass over a pup's points needs to draw them to their goals.
 template <class Real>
 struct Pull {
-  Real goal[3][kModes];  // column 0: the centre
+  Real goal[3][kModes];  // column 0: the centre, relative to the first point
   Real position_share;   // alpha, or 0 where only velocities change
   Real velocity_share;   // alpha / h
 };
@@ -51,9 +51,10 @@ void pull_to_goals(const Cloud<Real>& cloud, const Pull<Real>& pull, int axis, R
   for (int m = 0; m < Modes; ++m) coefficient[m] = P::broadcast(pull.goal[axis][m]);
   const P position_share = P::broadcast(pull.position_share);
   const P velocity_share = P::broadcast(pull.velocity_share);
+  const P origin = P::broadcast(x[0]);
   for (int i = 0; i < cloud.stride; i += kLanes<Real>) {
     const P here = P::load(x + i);
-    P to_goal = coefficient[0] - here;
+    P to_goal = coefficient[0] - (here - origin);
     for (int m = 1; m < Modes; ++m) to_goal += coefficient[m] * P::load(cloud.mode_row(m) + i);
     (here + position_share * to_goal).store(x + i);
     (P::load(v + i) + velocity_share * to_goal).store(v + i);
@@ -89,7 +90,6 @@ ModeMatrix fit_modes(const Cloud<Real>& cloud, const State<Real>& state, int pup
     fit_some<2>(cloud, position, origin, 6, fit);
     fit_some<1>(cloud, position, origin, 8, fit);
   }
-  for (int axis = 0; axis < 3; ++axis) fit(axis, kMeanMode) += origin[axis];
   return fit;
 }
 

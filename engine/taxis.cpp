@@ -38,6 +38,37 @@ struct Side {
   double mean(double ta) const { return points > 0 ? ta + sum / points : ta; }
 };
 
+/// Side temperatures about `direction`. `may_be_left` masks the points of the first pack.
+template <class Real>
+SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
+                               const State<Real>& state, int pup, double direction,
+                               std::uint32_t may_be_left) {
+  using P = Pack<Real>;
+  const Real* x = state.x.data() + state.row(pup);
+  const Real* y = state.y.data() + state.row(pup);
+  const int* touched = state.touched.data() + state.flat(pup);
+  const P cx = P::broadcast(mean_of(cloud, x)), cy = P::broadcast(mean_of(cloud, y));
+  const SinCos axis = sincos_fixed(direction);
+  const P cosine = P::broadcast(static_cast<Real>(axis.cos));
+  const P sine = P::broadcast(static_cast<Real>(axis.sin));
+  Side left, right;
+  for (int block = 0; block < state.points; block += kLanes<Real>) {
+    const P across = cosine * (P::load(y + block) - cy) - sine * (P::load(x + block) - cx);
+    const int count = std::min(kLanes<Real>, state.points - block);
+    std::uint32_t is_left = less_bits(P::zero(), across) & ((1u << count) - 1);
+    if (block == 0) is_left &= may_be_left;
+    left.points += std::popcount(is_left);
+    for (int i = 0; i < count; ++i) {
+      const int other = touched[block + i];
+      if (other < 0) continue;
+      Side& side = (is_left >> i & 1) != 0 ? left : right;
+      side.sum += state.tb[other] - params.ta;
+    }
+  }
+  right.points = state.points - left.points;
+  return {left.mean(params.ta), right.mean(params.ta)};
+}
+
 }  // namespace
 
 double turn(const Params& params, double tb, double t_left, double t_right) {
@@ -61,29 +92,13 @@ double body_axis(const Cloud<Real>& cloud, const State<Real>& state, int pup) {
 template <class Real>
 SideTemperatures side_temperatures(const Params& params, const Cloud<Real>& cloud,
                                    const State<Real>& state, int pup, double direction) {
-  using P = Pack<Real>;
-  const Real* x = state.x.data() + state.row(pup);
-  const Real* y = state.y.data() + state.row(pup);
-  const int* touched = state.touched.data() + state.flat(pup);
-  const P cx = P::broadcast(mean_of(cloud, x)), cy = P::broadcast(mean_of(cloud, y));
-  const SinCos axis = sincos_fixed(direction);
-  const P cosine = P::broadcast(static_cast<Real>(axis.cos));
-  const P sine = P::broadcast(static_cast<Real>(axis.sin));
-  Side left, right;
-  for (int block = 0; block < state.points; block += kLanes<Real>) {
-    const P across = cosine * (P::load(y + block) - cy) - sine * (P::load(x + block) - cx);
-    const int count = std::min(kLanes<Real>, state.points - block);
-    const std::uint32_t is_left = less_bits(P::zero(), across) & ((1u << count) - 1);
-    left.points += std::popcount(is_left);
-    for (int i = 0; i < count; ++i) {
-      const int other = touched[block + i];
-      if (other < 0) continue;
-      Side& side = (is_left >> i & 1) != 0 ? left : right;
-      side.sum += state.tb[other] - params.ta;
-    }
-  }
-  right.points = state.points - left.points;
-  return {left.mean(params.ta), right.mean(params.ta)};
+  return measure_sides(params, cloud, state, pup, direction, ~0u);
+}
+
+template <class Real>
+SideTemperatures body_side_temperatures(const Params& params, const Cloud<Real>& cloud,
+                                        const State<Real>& state, int pup) {
+  return measure_sides(params, cloud, state, pup, body_axis(cloud, state, pup), ~1u);
 }
 
 template <class Real>
@@ -95,7 +110,8 @@ Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state)
     const double direction = course ? state.heading[pup] : body_axis(cloud, state, pup);
     double delta = 0;
     if (touches) {
-      const SideTemperatures t = side_temperatures(params, cloud, state, pup, direction);
+      const SideTemperatures t = course ? side_temperatures(params, cloud, state, pup, direction)
+                                        : body_side_temperatures(params, cloud, state, pup);
       delta = turn(params, state.tb[pup], t.left, t.right);
     }
     const double next = direction + (course ? params.dt * delta : delta);
@@ -106,10 +122,12 @@ Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state)
   return {};
 }
 
-#define PUPFLOW_INSTANTIATE(Real)                                                      \
-  template double body_axis<Real>(const Cloud<Real>&, const State<Real>&, int);        \
-  template SideTemperatures side_temperatures<Real>(const Params&, const Cloud<Real>&, \
-                                                    const State<Real>&, int, double);  \
+#define PUPFLOW_INSTANTIATE(Real)                                                           \
+  template double body_axis<Real>(const Cloud<Real>&, const State<Real>&, int);             \
+  template SideTemperatures side_temperatures<Real>(const Params&, const Cloud<Real>&,      \
+                                                    const State<Real>&, int, double);       \
+  template SideTemperatures body_side_temperatures<Real>(const Params&, const Cloud<Real>&, \
+                                                         const State<Real>&, int);          \
   template Status steer<Real>(const Params&, const Cloud<Real>&, State<Real>&);
 PUPFLOW_INSTANTIATE(float)
 PUPFLOW_INSTANTIATE(double)

@@ -31,6 +31,12 @@ template <class Real>
 SideTemperatures side_temperatures(const Params& params, const Cloud<Real>& cloud,
                                    const State<Real>& state, int pup, double direction);
 
+/// The same about the body axis. The first point lies on that axis, so it is not on the left; said
+/// here, since in the general case rounding would decide.
+template <class Real>
+SideTemperatures body_side_temperatures(const Params& params, const Cloud<Real>& cloud,
+                                        const State<Real>& state, int pup);
+
 /// Steers every pup: sets its heading.
 template <class Real>
 Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state);

@@ -1,0 +1,19 @@
+# The engine as a CMake package: find_package(pupflow) gives pupflow::engine.
+# `cmake --install BUILD --component engine` installs it without the program.
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pupflow)
+
+install(TARGETS pupflow_engine EXPORT pupflow
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT engine)
+install(DIRECTORY engine DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pupflow COMPONENT engine
+  FILES_MATCHING PATTERN "*.h")
+install(EXPORT pupflow NAMESPACE pupflow:: FILE pupflowTargets.cmake
+  DESTINATION ${package_folder} COMPONENT engine)
+
+configure_package_config_file(cmake/pupflowConfig.cmake.in pupflowConfig.cmake
+  INSTALL_DESTINATION ${package_folder})
+# Before 1.0 a minor version may break what uses it.
+write_basic_package_version_file(pupflowConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/pupflowConfig.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/pupflowConfigVersion.cmake
+  DESTINATION ${package_folder} COMPONENT engine)

@@ -1,0 +1,134 @@
+#include "engine/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "tests/support/litter.h"
+
+namespace pupflow {
+namespace {
+
+TEST(Simulation, SameSeedSameBits) {
+  for (const Precision precision : {Precision::float_, Precision::double_}) {
+    Params p;
+    p.precision = precision;
+    Simulation a(p), b(p);
+    a.run(300);
+    b.run(300);
+    EXPECT_EQ(a.hash(), b.hash());
+    p.seed = 2;
+    Simulation c(p);
+    c.run(300);
+    EXPECT_NE(a.hash(), c.hash());
+  }
+}
+
+TEST(Simulation, ACopyIsASnapshotThatGoesOnAlike) {
+  Params p;
+  Simulation a(p);
+  a.run(350);
+  Simulation b = a;
+  const std::uint64_t there = a.hash();
+  a.run(100);
+  EXPECT_EQ(b.hash(), there);
+  b.run(100);
+  EXPECT_EQ(a.hash(), b.hash());
+  Simulation c(p);
+  c = a;
+  EXPECT_EQ(c.hash(), a.hash());
+  const Simulation d = std::move(c);
+  EXPECT_EQ(d.hash(), a.hash());
+}
+
+TEST(Simulation, UnsoundParametersAreRefusedWhole) {
+  Params p;
+  p.alpha = 3;
+  p.pups = -1;
+  try {
+    const Simulation s(p);
+    FAIL() << "no exception";
+  } catch (const InvalidParams& error) {
+    EXPECT_EQ(error.problems().size(), 2u);
+  }
+}
+
+TEST(Simulation, ParametersActOnTheNextStep) {
+  Params p = testing::weightless();
+  Simulation s(p);
+  s.run(10);
+  const double before = s.centre(0).z();
+  p.gravity = 10;
+  s.set_params(p);
+  s.step();
+  EXPECT_NEAR(s.centre(0).z(), before - 10 * 0.01 * 0.01, 1e-12);
+}
+
+TEST(Simulation, LitterParametersCannotChangeInFlight) {
+  Params p;
+  Simulation s(p);
+  p.pups = 5;
+  EXPECT_THROW(s.set_params(p), std::logic_error);
+  p = Params{};
+  p.alpha = 7;
+  EXPECT_THROW(s.set_params(p), InvalidParams);
+  EXPECT_EQ(s.params(), Params{});
+}
+
+TEST(Simulation, TimeIsTheSumOfTheSteps) {
+  Params p = testing::weightless();
+  Simulation s(p);
+  s.run(10);
+  p.dt = 0.02;
+  s.set_params(p);
+  s.run(10);
+  EXPECT_EQ(s.steps_done(), 20);
+  EXPECT_NEAR(s.time(), 0.3, 1e-15);
+}
+
+TEST(Simulation, WrongSizesAndPupsAreRefused) {
+  Simulation s{Params{}};
+  std::vector<double> few(3);
+  EXPECT_THROW(s.copy_positions(few), std::invalid_argument);
+  EXPECT_THROW(s.set_cloud(0, few, few), std::invalid_argument);
+  EXPECT_THROW(s.set_cloud(12, few, few), std::out_of_range);
+  EXPECT_THROW(s.centre(-1), std::out_of_range);
+  EXPECT_THROW(s.set_heading(99, 0), std::out_of_range);
+}
+
+TEST(Simulation, FloatStaysCloseToDoubleBeforeChaosSetsIn) {
+  Params p;
+  Simulation fine(p);
+  p.precision = Precision::float_;
+  Simulation coarse(p);
+  fine.run(20);
+  coarse.run(20);
+  for (int pup = 0; pup < p.pups; ++pup) {
+    EXPECT_LT((fine.centre(pup) - coarse.centre(pup)).norm(), 5e-5);
+  }
+}
+
+TEST(Simulation, PointsTouchWhomThePairsSay) {
+  Simulation s{Params{}};
+  s.run(400);
+  const auto touched = s.touched_pup();
+  std::set<std::pair<int, int>> pairs;
+  for (int pup = 0; pup < s.pups(); ++pup) {
+    int contacts = 0;
+    for (int i = 0; i < s.points(); ++i) {
+      const int other = touched[static_cast<std::size_t>(pup) * s.points() + i];
+      if (other < 0) continue;
+      ++contacts;
+      ASSERT_NE(other, pup);
+      pairs.insert({std::min(pup, other), std::max(pup, other)});
+    }
+    EXPECT_NEAR(s.exposed()[pup], 1 - static_cast<double>(contacts) / s.points(), 1e-12);
+  }
+  std::set<std::pair<int, int>> listed;
+  for (const TouchingPair& pair : s.touching()) listed.insert({pair.first, pair.second});
+  for (const auto& pair : pairs) EXPECT_TRUE(listed.contains(pair));
+}
+
+}  // namespace
+}  // namespace pupflow

@@ -1,0 +1,155 @@
+#include "engine/taxis.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/elementary.h"
+
+namespace pupflow {
+namespace {
+
+TEST(Turn, GoesTowardsWarmthWhenColdAndAwayWhenHot) {
+  const Params p;  // left is counter-clockwise: a positive turn
+  EXPECT_GT(turn(p, 0.3, 0.5, 0.2), 0);
+  EXPECT_LT(turn(p, 0.3, 0.2, 0.5), 0);
+  EXPECT_LT(turn(p, 0.9, 0.5, 0.2), 0);
+  EXPECT_GT(turn(p, 0.9, 0.2, 0.5), 0);
+}
+
+TEST(Turn, IsZeroBySymmetry) {
+  const Params p;
+  for (const double t : {-1e6, -0.3, 0.0, 0.4, 1e6}) EXPECT_EQ(turn(p, 0.3, t, t), 0);
+  EXPECT_EQ(turn(p, p.tp, 0.2, 0.9), 0);  // content: no preference for either side
+}
+
+TEST(Turn, IsOddInTheSides) {
+  const Params p;
+  EXPECT_DOUBLE_EQ(turn(p, 0.55, 0.45, 0.41), -turn(p, 0.55, 0.41, 0.45));
+}
+
+TEST(Turn, FollowsTheFormula) {
+  Params p;
+  p.v = 3;
+  const double tb = 0.55, left = 0.5, right = 0.3;
+  const double sl = 1 / (1 + std::exp(-p.sigma * left * (p.tp - tb)));
+  const double sr = 1 / (1 + std::exp(-p.sigma * right * (p.tp - tb)));
+  EXPECT_NEAR(turn(p, tb, left, right), std::atan(p.v * (sl - sr) / (sl + sr)), 1e-15);
+}
+
+TEST(Turn, IsFiniteWhateverTheSettings) {
+  Params p;
+  for (const double sigma : {-1e6, -1.0, 0.0, 1.0, 1e6, 1e300}) {
+    for (const double v : {0.0, 1.0, 1e6, 1e300}) {
+      for (const double tp : {-1e6, 0.6, 1e6}) {
+        for (const double tb : {-1e6, 0.0, 0.6, 1e6}) {
+          for (const double tl : {-1e6, 0.0, 0.5, 1e6}) {
+            for (const double tr : {-1e6, 0.1, 1e6}) {
+              p.sigma = sigma;
+              p.v = v;
+              p.tp = tp;
+              const double delta = turn(p, tb, tl, tr);
+              ASSERT_TRUE(std::isfinite(delta)) << sigma << ' ' << v << ' ' << tp << ' ' << tb;
+              ASSERT_LE(std::abs(delta), kPi / 2);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+/// One pup at rest round (1, 2, 3), of whose points those with x > 1 touch pup 0 (itself: any
+/// index).
+struct SidesFixture : ::testing::Test {
+  SidesFixture()
+      : rest(cube_sphere(7, 0.25)),
+        cloud(make_cloud<double>(rest)),
+        state(make_state<double>(1, 294)) {
+    for (int i = 0; i < state.points; ++i) {
+      state.x[i] = 1 + rest[i].x();
+      state.y[i] = 2 + rest[i].y();
+      state.z[i] = 3 + rest[i].z();
+      if (rest[i].x() > 0.01) state.touched[i] = 0;
+    }
+    state.tb[0] = 0.9;
+  }
+  /// Turns the body out of its rest orientation, about an axis of no symmetry.
+  void turn_body(double angle) {
+    const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 3.5).normalized();
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    for (int i = 0; i < state.points; ++i) {
+      const Eigen::Vector3d p = turn * rest[i];
+      state.x[i] = 1 + p.x();
+      state.y[i] = 2 + p.y();
+      state.z[i] = 3 + p.z();
+    }
+  }
+  std::vector<Eigen::Vector3d> rest;
+  Cloud<double> cloud;
+  State<double> state;
+  Params params;
+};
+
+TEST_F(SidesFixture, LeftIsCounterClockwiseOfTheHeading) {
+  // Facing -y, the contacts at +x are on the left; facing +y, on the right.
+  const SideTemperatures down = side_temperatures(params, cloud, state, 0, -kPi / 2);
+  EXPECT_GT(down.left, params.ta + 0.3);
+  EXPECT_EQ(down.right, params.ta);
+  const SideTemperatures up = side_temperatures(params, cloud, state, 0, kPi / 2);
+  EXPECT_EQ(up.left, params.ta);
+  EXPECT_GT(up.right, params.ta + 0.3);
+}
+
+TEST_F(SidesFixture, MeansAreOverAllPointsOfASide) {
+  turn_body(0.4);  // so that no point lies on the dividing line
+  const double direction = -1.3;
+  double sum = 0;
+  int left = 0;
+  for (int i = 0; i < state.points; ++i) {
+    if (std::cos(direction) * (state.y[i] - 2) - std::sin(direction) * (state.x[i] - 1) <= 0)
+      continue;
+    sum += state.touched[i] >= 0 ? 0.9 : params.ta;
+    ++left;
+  }
+  EXPECT_NEAR(side_temperatures(params, cloud, state, 0, direction).left, sum / left, 1e-12);
+}
+
+TEST_F(SidesFixture, AboutItsOwnAxisTheFirstPointIsOnNoSide) {
+  // It lies on the axis, where rounding alone would decide; the rule says: not on the left.
+  std::fill(state.touched.begin(), state.touched.end(), -1);
+  state.touched[0] = 0;
+  for (const double angle : {0.1, 0.9, 2.2, -1.4}) {
+    turn_body(angle);
+    const SideTemperatures t = body_side_temperatures(params, cloud, state, 0);
+    EXPECT_EQ(t.left, params.ta);
+    EXPECT_GT(t.right, params.ta);
+  }
+}
+
+TEST_F(SidesFixture, BodyAxisPointsFromTheFirstPointToTheCentre) {
+  EXPECT_NEAR(body_axis(cloud, state, 0), std::atan2(-rest[0].y(), -rest[0].x()), 1e-12);
+}
+
+TEST_F(SidesFixture, CourseTurnsAtARateAndBodyHeadingJumps) {
+  state.exposed[0] = 0.5;
+  state.tb[0] = 0.9;  // hot: away from the contacts on the left
+  state.heading[0] = -kPi / 2;
+  const SideTemperatures t = side_temperatures(params, cloud, state, 0, -kPi / 2);
+  const double delta = turn(params, 0.9, t.left, t.right);
+  ASSERT_LT(delta, 0);
+  steer(params, cloud, state);
+  EXPECT_NEAR(state.heading[0], -kPi / 2 + params.dt * delta, 1e-15);
+
+  params.heading = Heading::body;
+  const double axis = body_axis(cloud, state, 0);
+  const SideTemperatures about_axis = body_side_temperatures(params, cloud, state, 0);
+  steer(params, cloud, state);
+  EXPECT_NEAR(state.heading[0],
+              wrap_angle(axis + turn(params, 0.9, about_axis.left, about_axis.right)), 1e-15);
+}
+
+}  // namespace
+}  // namespace pupflow

@@ -92,6 +92,16 @@ std::vector<Vector3d> carpet(const Params& params) {
   return centres;
 }
 
+/// rotation * v, written out: Eigen's product would use fused multiply-add where the compiler may,
+/// and give other bits there.
+Vector3d turned(const Eigen::Matrix3d& rotation, const Vector3d& v) {
+  Vector3d result;
+  for (int i = 0; i < 3; ++i) {
+    result[i] = rotation(i, 0) * v[0] + rotation(i, 1) * v[1] + rotation(i, 2) * v[2];
+  }
+  return result;
+}
+
 std::vector<Vector3d> column(const Params& params) {
   std::vector<Vector3d> centres;
   for (int j = 0; j < params.pups; ++j) {
@@ -119,7 +129,7 @@ void lay_out(const Params& params, const std::vector<Vector3d>& rest, State<Real
     for (int i = 0; i < state.stride; ++i) {
       const bool padding = i >= state.points;
       const Vector3d position =
-          padding ? centres[pup] : Vector3d(centres[pup] + rotation * rest[i]);
+          padding ? centres[pup] : Vector3d(centres[pup] + turned(rotation, rest[i]));
       const std::size_t k = state.row(pup) + i;
       state.x[k] = static_cast<Real>(position.x());
       state.y[k] = static_cast<Real>(position.y());

@@ -182,21 +182,6 @@ std::string number_text(double value) {
   return {buffer.data(), end};
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substitute = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitute});
-    }
-  }
-  return row[b.size()];
-}
-
 Problem out_of_range(const Parameter& parameter, const std::string& value) {
   return {std::string(parameter.name), std::string(parameter.name) + " = " + value + ": " +
                                            std::string(parameter.title) + " must be " +
@@ -223,19 +208,6 @@ const Parameter* find_parameter(std::string_view name) {
     return parameter.name == name;
   });
   return found == kTable.end() ? nullptr : &*found;
-}
-
-std::string_view nearest_parameter(std::string_view name) {
-  std::string_view best;
-  std::size_t best_distance = (name.size() < 4 ? 1 : std::max<std::size_t>(name.size() / 3, 2)) + 1;
-  for (const Parameter& parameter : kTable) {
-    const std::size_t distance = edit_distance(name, parameter.name);
-    if (distance < best_distance) {
-      best = parameter.name;
-      best_distance = distance;
-    }
-  }
-  return best;
 }
 
 std::string format_value(const Parameter& parameter, double value) {

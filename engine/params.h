@@ -84,9 +84,6 @@ std::span<const Parameter> parameters();
 /// The row called `name`, or nullptr.
 const Parameter* find_parameter(std::string_view name);
 
-/// The name nearest to a mistyped one, for "did you mean"; empty when none is near.
-std::string_view nearest_parameter(std::string_view name);
-
 /// `value` as text that `parse_value` reads back to the same number (shortest form).
 std::string format_value(const Parameter& parameter, double value);
 inline std::string format_value(const Parameter& parameter, const Params& params) {

@@ -22,12 +22,12 @@
 
 namespace pupflow {
 
-/// Coefficients on the modes of cloud.h, one column each. Column 0 is the mean, relative to the pup's
-/// first point: small numbers keep their digits wherever in the arena the pup is.
+/// Coefficients on the modes of cloud.h, one column each. Column 0 is the mean, relative to the
+/// pup's first point: small numbers keep their digits wherever in the arena the pup is.
 using ModeMatrix = Eigen::Matrix<double, 3, kModes>;
 
-/// Projection of a pup's points on the mean, the linear and, if `quadratic`, the quadratic modes (else
-/// those columns are 0).
+/// Projection of a pup's points on the mean, the linear and, if `quadratic`, the quadratic modes
+/// (else those columns are 0).
 template <class Real>
 ModeMatrix fit_modes(const Cloud<Real>& cloud, const State<Real>& state, int pup, bool quadratic);
 

@@ -1,0 +1,56 @@
+#include "app/cli/verb.h"
+#include "app/io/atomic_file.h"
+
+namespace pupflow::cli {
+namespace {
+
+/// One argument each time that the option is given, so that a SCENE may follow it.
+CLI::Option* one_at_a_time(CLI::Option* option) {
+  return option->allow_extra_args(false)->take_all();
+}
+
+}  // namespace
+
+std::string not_empty(const std::string& text) {
+  return text.empty() ? "must not be empty" : "";
+}
+
+void add_common(CLI::App& verb, Common& common, const CommonHelp& help) {
+  io::Settings& settings = common.settings;
+  const std::string remark = help.settings.empty() ? "" : "; " + help.settings;
+  if (help.scene) {
+    verb.add_option("SCENE", settings.scene,
+                    "A scene file (TOML), or the name of a shipped scene such as cold")
+        ->option_text(" ")
+        ->check(not_empty);
+  }
+  one_at_a_time(verb.add_option("--set", settings.sets,
+                                "Set any parameter of 'pupflow params'; repeatable" + remark))
+      ->option_text("NAME=VALUE");
+  verb.add_option("--like", settings.like,
+                  "Take all parameters from a CSV or PNG that this program wrote" + remark)
+      ->option_text("FILE")
+      ->check(not_empty);
+  verb.add_option("--seed", settings.seed, "Short for --set seed=N")->option_text("N");
+  verb.add_option("--steps", settings.steps, "Short for --set steps=N")->option_text("N");
+  verb.add_option("--precision", settings.precision, "Short for --set precision=...")
+      ->option_text("float|double");
+  verb.add_option("--threads", common.threads, help.threads)
+      ->option_text("N")
+      ->check(CLI::Range(1, 1024));
+  verb.add_option(help.out_names, common.out, help.out)->option_text("FILE")->check(not_empty);
+  verb.add_flag("--force", common.force, "Replace output files that exist");
+  verb.add_flag("--quiet", common.quiet, help.quiet);
+}
+
+void deliver(const Common& common, const std::string& text) {
+  if (common.out.empty()) {
+    io::print(text);
+    return;
+  }
+  io::AtomicFile file(common.out, common.force);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace pupflow::cli

@@ -1,0 +1,87 @@
+// pupflow doctor: what is here, what is missing, and how to get it.
+#include <memory>
+#include <thread>
+
+#include "app/cli/graphics_module.h"
+#include "app/cli/machine.h"
+#include "app/cli/table.h"
+#include "app/cli/verb.h"
+#include "app/io/failure.h"
+
+namespace pupflow::cli {
+namespace {
+
+struct Options {
+  Common common;
+};
+
+std::vector<Row> build_rows() {
+  std::string features;
+  for (const std::string& feature : cpu_features())
+    features += (features.empty() ? "" : " ") + feature;
+  return {{"version", PUPFLOW_VERSION},
+          {"compiler", compiler_words() + ", " + PUPFLOW_BUILD_TYPE + " build"},
+          {"built for", built_for()},
+          {"processor", cpu_name()},
+          {"it offers", features.empty() ? "unknown" : features},
+          {"threads", std::to_string(std::thread::hardware_concurrency())}};
+}
+
+/// The rows for one kind of context: what was chosen and every attempt.
+void add_context(std::vector<Row>& rows, const std::string& what,
+                 const pictures::ContextReport& report) {
+  rows.push_back({what, report.works ? "works: " + report.chosen : "does not work"});
+  if (report.works) {
+    rows.push_back({"", "renderer " + report.renderer});
+    rows.push_back({"", "OpenGL " + report.version});
+  }
+  for (const std::string& attempt : report.tried) rows.push_back({"", "tried " + attempt});
+}
+
+void work(const Options& options) {
+  io::set_up(options.common.settings);  // checked like everywhere
+  std::vector<Row> rows = build_rows();
+  std::vector<std::string> advice;
+  try {
+    pictures::Graphics& graphics = load_graphics();
+    rows.push_back({"graphics", "module loaded"});
+    const pictures::ContextReport headless = graphics.probe_headless();
+    const pictures::ContextReport window = graphics.probe_window();
+    add_context(rows, "pictures", headless);
+    add_context(rows, "window", window);
+    if (!headless.works) {
+      advice.emplace_back("pictures need EGL and a driver: apt install libegl1 libgl1-mesa-dri");
+    }
+    if (!window.works) {
+      advice.emplace_back(
+          "the window needs a display (DISPLAY or WAYLAND_DISPLAY); pictures do not");
+    }
+  } catch (const io::Failure& failure) {
+    if (failure.code() != io::ExitCode::no_context) throw;
+    rows.push_back({"graphics", "not available"});
+    advice.emplace_back(failure.what());
+  }
+  std::string text = aligned(rows);
+  text += advice.empty() ? "Nothing is missing.\n" : "Missing:\n";
+  for (const std::string& line : advice) text += "  " + line + "\n";
+  deliver(options.common, text);
+}
+
+}  // namespace
+
+Verb add_doctor(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "doctor", "Report versions, processor and graphics; tell what is missing and how to get it");
+  const auto options = std::make_shared<Options>();
+  CommonHelp help;
+  help.scene = false;
+  help.settings = "checked, but the report does not depend on it";
+  help.threads = "Accepted everywhere; does nothing here";
+  help.out = "Write the report to a file instead of standard output";
+  help.quiet = "Accepted everywhere; the report is all that is printed";
+  add_common(*app, options->common, help);
+  app->footer("Exit code 0 whenever it could report, also when something is missing.");
+  return {app, [options] { work(*options); }};
+}
+
+}  // namespace pupflow::cli

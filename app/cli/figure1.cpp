@@ -1,0 +1,78 @@
+// pupflow figure1: the paper's Figure 1.
+#include <memory>
+
+#include "app/cli/graphics_module.h"
+#include "app/cli/look_options.h"
+#include "app/cli/parse.h"
+#include "app/cli/verb.h"
+#include "app/io/atomic_file.h"
+#include "app/io/failure.h"
+
+namespace pupflow::cli {
+namespace {
+
+using io::ExitCode;
+using io::Failure;
+
+struct Options {
+  Common common;
+  LookOptions look;
+  std::string ta = "0.2,0.5,0.8";
+  int panel = 560;
+};
+
+std::vector<double> panels(const std::string& text, const Params& params) {
+  constexpr std::size_t kMostPanels = 12;
+  std::vector<double> ta = parse_numbers("--ta", text);
+  if (ta.size() > kMostPanels) {
+    throw Failure(ExitCode::bad_input, "--ta " + text + ": at most 12 panels fit a figure");
+  }
+  for (const double value : ta) {
+    Params panel = params;
+    panel.ta = value;
+    if (const auto problems = check(panel); !problems.empty()) throw InvalidParams(problems);
+  }
+  return ta;
+}
+
+void work(const Options& options) {
+  for (const std::string& set : options.common.settings.sets) {
+    if (!set.starts_with("ta=")) continue;
+    throw Failure(ExitCode::bad_input,
+                  "--set " + set + ": each panel has its own ta; use --ta " + set.substr(3));
+  }
+  pictures::Figure1Job job;
+  job.params = io::set_up(options.common.settings).params;
+  job.ta = panels(options.ta, job.params);
+  job.panel = options.panel;
+  job.threads = options.common.threads;
+  job.look = look_of(options.look);
+  job.output = {options.common.out, options.common.force, options.common.quiet};
+  io::refuse_existing(job.output.path, job.output.force);
+  load_graphics().figure1(job);
+}
+
+}  // namespace
+
+Verb add_figure1(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "figure1", "Draw the paper's Figure 1: litters at three temperatures, seen from above");
+  const auto options = std::make_shared<Options>();
+  options->common.out = "figure1.png";
+  CommonHelp help;
+  help.scene = false;
+  help.threads =
+      "Step the panels on N threads (default: as many as help); the picture stays the same";
+  help.out = "The picture's file (default figure1.png)";
+  help.quiet = "No progress";
+  add_common(*app, options->common, help);
+  app->add_option("--ta", options->ta, "Ambient temperatures, a panel each (default 0.2,0.5,0.8)")
+      ->option_text("TA,TA,...");
+  app->add_option("--panel", options->panel, "Edge of a panel in pixels, 120 to 4096 (default 560)")
+      ->option_text("N")
+      ->check(CLI::Range(120, 4096));
+  add_look(*app, options->look);
+  return {app, [options] { work(*options); }};
+}
+
+}  // namespace pupflow::cli

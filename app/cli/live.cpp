@@ -1,0 +1,64 @@
+// pupflow live: the window.
+#include <memory>
+
+#include "app/cli/graphics_module.h"
+#include "app/cli/look_options.h"
+#include "app/cli/parse.h"
+#include "app/cli/verb.h"
+#include "app/io/frame_path.h"
+
+namespace pupflow::cli {
+namespace {
+
+struct Options {
+  Common common;  // its `out` is the pattern for screenshots
+  LookOptions look;
+  std::string size = "1400x900";
+  double ui_scale = 0;
+  bool paused = false;
+  bool test_events = false;
+  double exit_after = 0;
+};
+
+void work(const Options& options) {
+  pictures::LiveJob job;
+  job.params = io::set_up(options.common.settings).params;
+  job.look = look_of(options.look);
+  std::tie(job.width, job.height) = parse_size("--size", options.size);
+  job.ui_scale = options.ui_scale;
+  job.paused = options.paused;
+  job.screenshot = options.common.out;
+  io::has_number(job.screenshot);  // throws for a bad pattern
+  job.test_events = options.test_events;
+  job.exit_after = options.exit_after;
+  load_graphics().live(job);
+}
+
+}  // namespace
+
+Verb add_live(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("live", "Open the window: watch, orbit, pause, drag sliders");
+  const auto options = std::make_shared<Options>();
+  CommonHelp help;
+  help.threads = "Accepted everywhere; the litter is stepped on one thread";
+  help.out_names = "--screenshots,--out";
+  help.out = "Where the screenshot key writes; %d or %0Nd stands for the step";
+  help.quiet = "Accepted everywhere; the window prints nothing but errors";
+  add_common(*app, options->common, help);
+  app->add_option("--size", options->size, "Window size in pixels (default 1400x900)")
+      ->option_text("WxH");
+  app->add_option("--ui-scale", options->ui_scale,
+                  "Size of text and widgets, 0.5 to 4 (default: the display's)")
+      ->option_text("X")
+      ->check(CLI::Range(0.5, 4.0));
+  app->add_flag("--paused", options->paused, "Start paused");
+  app->add_option("--exit-after", options->exit_after, "Close the window after so many seconds")
+      ->option_text("S")
+      ->check(CLI::Range(0.0, 1e6));
+  app->add_flag("--test-events", options->test_events)->group("");
+  add_look(*app, options->look);
+  return {app, [options] { work(*options); }};
+}
+
+}  // namespace pupflow::cli

@@ -1,0 +1,151 @@
+// The program: finds the verb, parses its options, and turns every failure into one line on
+// standard error and an exit code.
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <new>
+#include <vector>
+
+#include "app/cli/verb.h"
+#include "app/io/atomic_file.h"
+#include "app/io/failure.h"
+#include "app/io/interrupt.h"
+#include "app/io/nearest.h"
+#include "app/io/text.h"
+#include "engine/params.h"
+
+namespace pupflow::cli {
+namespace {
+
+using io::ExitCode;
+using io::Failure;
+
+std::vector<Verb> add_verbs(CLI::App& program) {
+  return {add_live(program),    add_run(program),     add_render(program), add_figure1(program),
+          add_figure2(program), add_sweep(program),   add_merge(program),  add_compare(program),
+          add_params(program),  add_explain(program), add_doctor(program)};
+}
+
+void refuse_unknown_verb(const std::vector<Verb>& verbs, int argc, char** argv) {
+  std::vector<std::string> names;
+  std::string listed;
+  for (const Verb& verb : verbs) {
+    names.push_back(verb.app->get_name());
+    listed += (listed.empty() ? "" : ", ") + names.back();
+  }
+  if (argc < 2) {
+    throw Failure(ExitCode::bad_input, "no verb given: " + listed + "; see 'pupflow --help'");
+  }
+  const std::string given = argv[1];
+  if (given.starts_with('-')) return;
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  if (std::find(names.begin(), names.end(), given) != names.end()) return;
+  const std::string meant = io::did_you_mean(given, views);
+  throw Failure(ExitCode::bad_input, "unknown verb " + io::quoted(given) +
+                                         (meant.empty() ? "; verbs: " + listed : meant));
+}
+
+/// What CLI11 did not know what to do with.
+void refuse_extras(const CLI::App& app, const std::string& command) {
+  const std::vector<std::string> extras = app.remaining();
+  if (extras.empty()) return;
+  const std::string& first = extras.front();
+  const std::string hint = "see '" + command + " --help'";
+  if (!first.starts_with('-')) {
+    throw Failure(ExitCode::bad_input, "unexpected argument " + io::quoted(first) + "; " + hint);
+  }
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const std::string meant = io::did_you_mean(first.substr(0, first.find('=')), views);
+  throw Failure(ExitCode::bad_input,
+                "unknown option " + io::quoted(first) + (meant.empty() ? "; " + hint : meant));
+}
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+/// CLI11's message in this program's words.
+Failure bad_command_line(const CLI::ParseError& error, const std::string& command) {
+  std::string message = first_line(error.what());
+  const std::size_t missing = message.find(": 1 required");
+  const std::size_t repeated = message.find(": At Most 1 required");
+  if (missing != std::string::npos) message = message.substr(0, missing) + " needs a value";
+  if (repeated != std::string::npos) message = message.substr(0, repeated) + " is given twice";
+  return {ExitCode::bad_input, message + "; see '" + command + " --help'"};
+}
+
+void parse_and_work(int argc, char** argv) {
+  CLI::App program("Self-organising huddles of soft, warm bodies (Wilson 2017).", "pupflow");
+  program.set_version_flag("--version", "pupflow " PUPFLOW_VERSION, "Print the version and exit");
+  program.set_help_flag("-h,--help", "Print this help and exit");
+  program.footer("'pupflow VERB --help' tells what each verb takes.");
+  const std::vector<Verb> verbs = add_verbs(program);
+  refuse_unknown_verb(verbs, argc, argv);
+  program.allow_extras();
+  for (const Verb& verb : verbs) verb.app->allow_extras();
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    io::print(program.help());
+    return;
+  } catch (const CLI::CallForVersion& version) {
+    io::print(std::string(version.what()) + "\n");
+    return;
+  } catch (const CLI::ParseError& error) {
+    const auto chosen = program.get_subcommands();
+    const std::string command = chosen.empty() ? "pupflow" : "pupflow " + chosen[0]->get_name();
+    throw bad_command_line(error, command);
+  }
+  for (const Verb& verb : verbs) {
+    if (!verb.app->parsed()) continue;
+    refuse_extras(*verb.app, "pupflow " + verb.app->get_name());
+    verb.work();
+    return;
+  }
+  refuse_extras(program, "pupflow");
+}
+
+/// One line for each line of `message`.
+void report(const std::string& message) {
+  std::string rest = message;
+  while (!rest.empty()) {
+    const std::string line = first_line(rest);
+    rest.erase(0, line.size() + 1);
+    if (!line.empty()) std::fprintf(stderr, "pupflow: %s\n", line.c_str());
+  }
+}
+
+int guarded_main(int argc, char** argv) {
+  // A closed pipe shows as a failed write, which is reported; dying of the signal would leave
+  // temporary files.
+  std::signal(SIGPIPE, SIG_IGN);
+  io::watch_for_interrupt();
+  try {
+    parse_and_work(argc, argv);
+    return static_cast<int>(ExitCode::done);
+  } catch (const Failure& failure) {
+    report(failure.what());
+    return static_cast<int>(failure.code());
+  } catch (const InvalidParams& invalid) {
+    report(invalid.what());
+    return static_cast<int>(ExitCode::bad_input);
+  } catch (const std::bad_alloc&) {
+    report("there is not enough memory for this; fewer pups, face_points or pixels need less");
+    return static_cast<int>(ExitCode::bad_input);
+  } catch (const std::exception& error) {
+    report(std::string("internal error: ") + error.what());
+    return 1;
+  }
+}
+
+}  // namespace
+}  // namespace pupflow::cli
+
+int main(int argc, char** argv) {
+  return pupflow::cli::guarded_main(argc, argv);
+}

@@ -1,0 +1,174 @@
+// pupflow params: every parameter, for people (text), docs (markdown) and programs (json).
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/table.h"
+#include "app/cli/verb.h"
+#include "app/io/text.h"
+#include "engine/params.h"
+
+namespace pupflow::cli {
+namespace {
+
+struct Options {
+  Common common;
+  std::string format = "text";
+};
+
+std::string_view effect_word(Parameter::Effect effect) {
+  switch (effect) {
+    case Parameter::Effect::next_step:
+      return "next step";
+    case Parameter::Effect::restart:
+      return "restart";
+    case Parameter::Effect::run:
+      return "run";
+  }
+  return {};
+}
+
+std::string_view kind_word(Parameter::Kind kind) {
+  switch (kind) {
+    case Parameter::Kind::real:
+      return "real";
+    case Parameter::Kind::integer:
+      return "integer";
+    case Parameter::Kind::choice:
+      return "choice";
+  }
+  return {};
+}
+
+std::string default_text(const Parameter& parameter) {
+  return format_value(parameter, parameter.default_value());
+}
+
+/// `values` gets a column of its own where a scene or an option was given.
+std::string text_table(const Params& values, bool with_values) {
+  std::vector<Row> rows{{"name", "symbol", "default", "range", "unit", "title", "source"}};
+  if (with_values) rows[0].insert(rows[0].begin() + 3, "here");
+  for (const Parameter& p : parameters()) {
+    Row row{std::string(p.name), std::string(p.symbol), default_text(p),      range_text(p),
+            std::string(p.unit), std::string(p.title),  std::string(p.source)};
+    if (with_values) row.insert(row.begin() + 3, format_value(p, values));
+    rows.push_back(row);
+  }
+  return aligned(rows);
+}
+
+/// Groups in the order in which the table first names them.
+std::vector<std::string_view> groups() {
+  std::vector<std::string_view> names;
+  for (const Parameter& p : parameters()) {
+    if (std::find(names.begin(), names.end(), p.group) == names.end()) names.push_back(p.group);
+  }
+  return names;
+}
+
+std::string markdown(const Params& values, bool with_values) {
+  std::string text =
+      "# Parameters\n\n"
+      "Written by `pupflow params --format markdown`.\n\n"
+      "A parameter is set by its name: in a scene file (`ta = 0.2`) or with `--set ta=0.2`. A "
+      "change "
+      "in the live window acts on the next step, needs a restart of the litter, or concerns only "
+      "how long a run is and what its means cover (run).\n";
+  for (const std::string_view group : groups()) {
+    std::string heading(group);
+    heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
+    text += "\n## " + heading + "\n\n";
+    std::vector<Row> rows{
+        {"name", "symbol", "default", "range", "unit", "acts", "meaning", "source"}};
+    if (with_values) rows[0].insert(rows[0].begin() + 3, "here");
+    for (const Parameter& p : parameters()) {
+      if (p.group != group) continue;
+      Row row{"`" + std::string(p.name) + "`",
+              std::string(p.symbol),
+              default_text(p),
+              range_text(p),
+              std::string(p.unit),
+              std::string(effect_word(p.effect)),
+              std::string(p.doc),
+              std::string(p.source)};
+      if (with_values) row.insert(row.begin() + 3, format_value(p, values));
+      rows.push_back(row);
+    }
+    text += markdown_table(rows);
+  }
+  return text;
+}
+
+std::string json_string(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+std::string json_value(const Parameter& p, double value) {
+  return p.kind == Parameter::Kind::choice ? json_string(format_value(p, value))
+                                           : format_value(p, value);
+}
+
+std::string json_limits(const Parameter& p) {
+  if (p.kind == Parameter::Kind::choice) {
+    std::string names;
+    for (const std::string_view name : p.choices) {
+      names += (names.empty() ? "" : ", ") + json_string(name);
+    }
+    return "\"choices\": [" + names + "]";
+  }
+  const auto limit = [&](double value) {  // JSON has no infinity
+    return std::isfinite(value) ? format_value(p, value) : std::string("null");
+  };
+  return "\"min\": " + limit(p.min) + ", \"min_open\": " + (p.min_open ? "true" : "false") +
+         ", \"max\": " + limit(p.max);
+}
+
+std::string json(const Params& values) {
+  std::string text = "[";
+  for (const Parameter& p : parameters()) {
+    const std::pair<std::string_view, std::string_view> words[] = {
+        {"name", p.name}, {"symbol", p.symbol},        {"title", p.title},
+        {"unit", p.unit}, {"group", p.group},          {"source", p.source},
+        {"doc", p.doc},   {"kind", kind_word(p.kind)}, {"effect", effect_word(p.effect)}};
+    text += text.size() > 1 ? ",\n  {" : "\n  {";
+    for (const auto& [key, value] : words) {
+      text += json_string(key) + ": " + json_string(value) + ", ";
+    }
+    text += "\"default\": " + json_value(p, p.default_value()) + ", ";
+    text += "\"value\": " + json_value(p, p.get(values)) + ", " + json_limits(p) + "}";
+  }
+  return text + "\n]\n";
+}
+
+void work(const Options& options) {
+  const Params values = io::set_up(options.common.settings).params;
+  const bool with_values = !options.common.settings.empty();
+  deliver(options.common, options.format == "json"       ? json(values)
+                          : options.format == "markdown" ? markdown(values, with_values)
+                                                         : text_table(values, with_values));
+}
+
+}  // namespace
+
+Verb add_params(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "params", "List every parameter: name, symbol, default, range, unit, source");
+  const auto options = std::make_shared<Options>();
+  CommonHelp help;
+  help.settings = "adds a column with the values that it comes to";
+  help.threads = "Accepted everywhere; does nothing here";
+  help.out = "Write the list to a file instead of standard output";
+  help.quiet = "Accepted everywhere; the list is all that is printed";
+  add_common(*app, options->common, help);
+  app->add_option("--format", options->format, "How to write the list (default text)")
+      ->option_text("text|markdown|json")
+      ->check(CLI::IsMember({"text", "markdown", "json"}));
+  return {app, [options] { work(*options); }};
+}
+
+}  // namespace pupflow::cli

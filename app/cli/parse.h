@@ -1,0 +1,20 @@
+// Option values that are more than one number. All throw io::Failure(bad_input), naming `option`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pupflow::cli {
+
+/// "1280x960": width and height, each 16 ... 16384 pixels.
+std::pair<int, int> parse_size(const std::string& option, const std::string& text);
+
+/// Finite numbers joined by commas, at least one.
+std::vector<double> parse_numbers(const std::string& option, const std::string& text);
+
+/// Step numbers (whole, not negative) joined by commas; sorted, without repeats.
+std::vector<std::int64_t> parse_steps(const std::string& option, const std::string& text);
+
+}  // namespace pupflow::cli

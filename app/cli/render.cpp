@@ -1,0 +1,101 @@
+// pupflow render: headless PNG frames of one scene.
+#include <memory>
+
+#include "app/cli/graphics_module.h"
+#include "app/cli/look_options.h"
+#include "app/cli/parse.h"
+#include "app/cli/verb.h"
+#include "app/io/failure.h"
+#include "app/io/frame_path.h"
+#include "app/view/camera.h"
+
+namespace pupflow::cli {
+namespace {
+
+using io::ExitCode;
+using io::Failure;
+
+constexpr std::int64_t kMostFrames = 1'000'000;
+
+struct Options {
+  Common common;
+  LookOptions look;
+  std::string at;
+  std::int64_t every = 0;
+  std::string size = "1280x960";
+  std::string camera = "orbit:30,35";
+  bool no_bar = false;
+};
+
+/// The steps after which a frame is wanted.
+std::vector<std::int64_t> frame_steps(const Options& options, const Params& params) {
+  if (!options.at.empty()) return parse_steps("--at", options.at);
+  if (options.every == 0) return {params.steps};
+  const std::int64_t count = params.steps / options.every;
+  if (count == 0 || count > kMostFrames) {
+    throw Failure(ExitCode::bad_input, "--every " + std::to_string(options.every) + ": gives " +
+                                           std::to_string(count) + " frames over " +
+                                           std::to_string(params.steps) + " steps; must be 1 to " +
+                                           std::to_string(kMostFrames));
+  }
+  std::vector<std::int64_t> steps;
+  for (std::int64_t i = 1; i <= count; ++i) steps.push_back(i * options.every);
+  return steps;
+}
+
+/// Refuses one name for several frames.
+void check_pattern(const std::string& pattern, std::size_t frames) {
+  if (io::has_number(pattern) || frames == 1) return;
+  throw Failure(ExitCode::bad_input,
+                "--out " + pattern + ": " + std::to_string(frames) +
+                    " frames need a place for the step, e.g. --out 'frames/%05d.png'");
+}
+
+void work(const Options& options) {
+  pictures::RenderJob job;
+  job.params = io::set_up(options.common.settings).params;
+  job.at = frame_steps(options, job.params);
+  std::tie(job.width, job.height) = parse_size("--size", options.size);
+  view::Camera::parse(options.camera);  // throws for a bad one
+  job.camera = options.camera;
+  job.bar = !options.no_bar;
+  job.look = look_of(options.look);
+  job.output = {options.common.out, options.common.force, options.common.quiet};
+  check_pattern(job.output.path, job.at.size());
+  load_graphics().render(job);
+}
+
+}  // namespace
+
+Verb add_render(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("render", "Draw PNG frames of a scene; needs no display and no GPU");
+  const auto options = std::make_shared<Options>();
+  options->common.out = "frames/%05d.png";
+  CommonHelp help;
+  help.threads = "Accepted everywhere; the litter is stepped on one thread";
+  help.out =
+      "The picture's file; with %d or %0Nd for the step its folder is made where missing (default "
+      "frames/%05d.png)";
+  help.quiet = "No progress";
+  add_common(*app, options->common, help);
+  CLI::Option* at =
+      app->add_option("--at", options->at, "A frame after each of these steps; 0 is the start")
+          ->option_text("STEP,STEP,...")
+          ->check(not_empty);
+  app->add_option("--every", options->every,
+                  "A frame after steps N, 2N, ... up to --steps. With neither: the last step")
+      ->option_text("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53))
+      ->excludes(at);
+  app->add_option("--size", options->size, "Pixels (default 1280x960)")->option_text("WxH");
+  app->add_option("--camera", options->camera,
+                  "top, side, or orbit:azimuth,elevation[,distance] in degrees and arena units "
+                  "(default orbit:30,35)")
+      ->option_text("CAMERA");
+  app->add_flag("--no-bar", options->no_bar, "Leave out the colour bar");
+  add_look(*app, options->look);
+  return {app, [options] { work(*options); }};
+}
+
+}  // namespace pupflow::cli

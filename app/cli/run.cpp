@@ -1,0 +1,172 @@
+// pupflow run: steps without any graphics.
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/cli/summary.h"
+#include "app/cli/verb.h"
+#include "app/io/atomic_file.h"
+#include "app/io/csv.h"
+#include "app/io/failure.h"
+#include "app/io/interrupt.h"
+#include "app/io/progress.h"
+#include "engine/metrics.h"
+
+namespace pupflow::cli {
+namespace {
+
+struct Options {
+  Common common;  // its `out` is the metrics CSV
+  std::string pups;
+  std::int64_t every = 1;
+};
+
+/// The files that were asked for. They appear when the run ends, however it ends.
+struct Files {
+  std::optional<io::MetricsCsv> metrics;
+  std::optional<io::PupsCsv> pups;
+
+  Files(const Options& options, const Params& params) {
+    if (!options.common.out.empty()) {
+      metrics.emplace(options.common.out, options.common.force, params);
+    }
+    if (!options.pups.empty()) pups.emplace(options.pups, options.common.force, params);
+  }
+
+  void finish(const std::string& ending) {
+    const auto close = [&](io::CsvFile& file) {
+      if (!ending.empty()) file.comment("ended early: " + ending);
+      file.commit();
+    };
+    if (metrics) close(metrics->file());
+    if (pups) close(pups->file());
+  }
+};
+
+/// One spelling for every way to name a file.
+std::filesystem::path resolved(const std::string& path) {
+  std::error_code unresolved;  // then opening the file will tell
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, unresolved), unresolved);
+}
+
+void refuse_same_file(const Options& options) {
+  const std::string& csv = options.common.out;
+  if (csv.empty() || options.pups.empty()) return;
+  const bool both_printed = io::is_standard_output(csv) && io::is_standard_output(options.pups);
+  const bool same_name = resolved(csv) == resolved(options.pups);
+  if (!both_printed && (!same_name || io::is_stream(csv))) return;
+  throw io::Failure(io::ExitCode::bad_input, "--csv and --pups both go to " + csv +
+                                                 "; their columns differ, so name two files");
+}
+
+/// One run: steps, and looks at the litter only where somebody asked for what is seen.
+class Run {
+ public:
+  Run(const Options& options, const Params& params)
+      : options_(options),
+        files_(options, params),
+        simulation_(params),
+        means_(params.discard),
+        summary_(!options.common.quiet) {
+    simulation_.set_observed(files_.metrics || files_.pups || summary_);
+  }
+
+  /// Steps to the end, a bad status, or Ctrl-C; then puts the files in place.
+  void go() {
+    const auto start = std::chrono::steady_clock::now();
+    const std::int64_t steps = simulation_.params().steps;
+    io::Progress progress("run", steps, options_.common.quiet);
+    while (simulation_.steps_done() < steps && simulation_.status().ok() && !io::interrupted()) {
+      one_step();
+      progress.update(simulation_.steps_done());
+    }
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    files_.finish(ending());
+  }
+
+  /// Why the run ended before its last step; empty when it did not.
+  std::string ending() const {
+    if (!simulation_.status().ok()) return simulation_.status().message();
+    if (simulation_.steps_done() == simulation_.params().steps) return {};
+    return "interrupted after step " + std::to_string(simulation_.steps_done());
+  }
+
+  bool summary() const { return summary_; }
+  const Simulation& simulation() const { return simulation_; }
+  const RunMeans& means() const { return means_; }
+  double seconds() const { return seconds_; }
+
+ private:
+  void one_step() {
+    const std::int64_t step = simulation_.steps_done() + 1;
+    const bool row = step % options_.every == 0;
+    const bool mean = summary_ && step > simulation_.params().discard;
+    const bool observe = mean || (row && files_.metrics);
+    // Flow compares with the step before, which a new observer takes as its starting point.
+    if (observe && !observer_) observer_.emplace(simulation_);
+    if (!observe) observer_.reset();
+    if (!simulation_.step().ok()) return;
+    if (observe) observer_->observe(simulation_);
+    if (mean) means_.add(simulation_, observer_->last());
+    if (row && files_.metrics) files_.metrics->add(simulation_, observer_->last());
+    if (row && files_.pups) files_.pups->add(simulation_);
+  }
+
+  const Options& options_;
+  Files files_;
+  Simulation simulation_;
+  std::optional<Observer> observer_;
+  RunMeans means_;
+  bool summary_;
+  double seconds_ = 0;
+};
+
+void work(const Options& options) {
+  refuse_same_file(options);
+  const io::Setup setup = io::set_up(options.common.settings);
+  Run run(options, setup.params);
+  run.go();
+  if (run.summary()) {
+    const std::string text = run_summary(setup.title, run.simulation(), run.means(), run.seconds());
+    const bool taken =
+        io::is_standard_output(options.common.out) || io::is_standard_output(options.pups);
+    if (taken) {
+      std::fputs(text.c_str(), stderr);
+    } else {
+      io::print(text);
+    }
+  }
+  const std::string ending = run.ending();
+  if (ending.empty()) return;
+  const bool bad = !run.simulation().status().ok();
+  throw io::Failure(bad ? io::ExitCode::bad_numbers : io::ExitCode::interrupted, ending);
+}
+
+}  // namespace
+
+Verb add_run(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("run", "Step a scene without graphics; write CSV files");
+  const auto options = std::make_shared<Options>();
+  CommonHelp help;
+  help.threads = "Accepted everywhere; a single run always uses one thread";
+  help.out_names = "--csv,--out";
+  help.out = "Write the litter's observables, a row a step ('-' for standard output)";
+  help.quiet = "No summary at the end and no progress";
+  add_common(*app, options->common, help);
+  app->add_option("--pups", options->pups,
+                  "Write each pup's state, a row a pup and step ('-' for standard output)")
+      ->option_text("FILE")
+      ->check(not_empty);
+  app->add_option("--every", options->every, "Rows for steps N, 2N, ... only (default 1)")
+      ->option_text("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+  app->footer(
+      "Exit code 3 when the numbers went wrong, 130 after Ctrl-C: the rows up to there are kept, "
+      "and "
+      "a last comment line says why they end.");
+  return {app, [options] { work(*options); }};
+}
+
+}  // namespace pupflow::cli

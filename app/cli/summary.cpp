@@ -1,0 +1,70 @@
+#include "app/cli/summary.h"
+
+#include <cinttypes>
+#include <cstdarg>
+#include <cstdio>
+
+#include "app/io/text.h"
+
+namespace pupflow::cli {
+namespace {
+
+[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
+  char text[256];
+  std::va_list values;
+  va_start(values, pattern);
+  std::vsnprintf(text, sizeof text, pattern, values);
+  va_end(values);
+  return text;
+}
+
+std::string value_of(const Params& params, std::string_view name) {
+  return format_value(*find_parameter(name), params);
+}
+
+std::string means_text(const Simulation& simulation, const RunMeans& means) {
+  const Params& params = simulation.params();
+  const long long discard = params.discard, done = simulation.steps_done();
+  if (done == 0) return "no means: no step was taken\n";
+  if (means.count() == 0) {
+    return format(
+        "no means: the run ended at step %lld, and discard = %lld leaves out steps 1 to %lld\n",
+        done, discard, discard);
+  }
+  const Observables m = means.means();
+  std::string text = format("means over steps %lld to %lld\n", discard + 1, done);
+  text += format("  mean body temperature    %.5g\n", m.mean_tb);
+  text += format("  huddling, 1 - A          %.5g\n", m.huddling);
+  text += format("  groups                   %.5g\n", m.groups);
+  text += format("  pups in largest group    %.5g\n", m.largest);
+  text += format("  pup flow                 %.5g /s\n", m.flow);
+  text += format("  membership flow          %.5g /s\n", m.membership_flow);
+  text += format("  sd of A over time        %.5g\n", means.exposed_sd());
+  return text;
+}
+
+}  // namespace
+
+std::string litter_words(const Params& params) {
+  return format("%d %s of %d points, T_a %s, seed %lld, %s precision, heading %s", params.pups,
+                params.pups == 1 ? "pup" : "pups", points_per_pup(params),
+                io::number_text(params.ta).c_str(), static_cast<long long>(params.seed),
+                value_of(params, "precision").c_str(), value_of(params, "heading").c_str());
+}
+
+std::string run_summary(const std::string& title, const Simulation& simulation,
+                        const RunMeans& means, double seconds) {
+  const long long done = simulation.steps_done();
+  std::string text = title.empty() ? "" : title + "\n";
+  text += litter_words(simulation.params()) + "\n";
+  text += format("%lld %s, %.6g s of model time, in %.3g s", done, done == 1 ? "step" : "steps",
+                 simulation.time(), seconds);
+  if (done > 0 && seconds > 0)
+    text += format(": %.4g steps/s", static_cast<double>(done) / seconds);
+  text += "\n" + means_text(simulation, means);
+  text += "status  " + (simulation.status().ok() ? "fine" : simulation.status().message()) + "\n";
+  text += format("hash    %016" PRIx64 "\n", simulation.hash());
+  return text;
+}
+
+}  // namespace pupflow::cli

@@ -1,0 +1,47 @@
+#include "app/cli/table.h"
+
+#include <algorithm>
+
+namespace pupflow::cli {
+namespace {
+
+/// Characters in UTF-8 text: every byte that does not go on with one.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & '\xC0') != '\x80'; }));
+}
+
+}  // namespace
+
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths;
+  for (const Row& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      line += row[i];
+      if (i + 1 < row.size()) line.append(widths[i] - width(row[i]) + 2, ' ');
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string markdown_table(const std::vector<Row>& rows) {
+  std::string text;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const std::string& cell : rows[i]) text += "| " + cell + (cell.empty() ? "" : " ");
+    text += "|\n";
+    if (i > 0) continue;
+    for (std::size_t column = 0; column < rows[0].size(); ++column) text += "|---";
+    text += "|\n";
+  }
+  return text;
+}
+
+}  // namespace pupflow::cli

@@ -1,0 +1,58 @@
+// The program's verbs. Each has one file, which declares its options and returns what to do once
+// they are parsed.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "app/io/settings.h"
+
+namespace pupflow::cli {
+
+/// A verb: its command line, and its work, which throws io::Failure.
+struct Verb {
+  CLI::App* app;
+  std::function<void()> work;
+};
+
+Verb add_run(CLI::App& program);
+Verb add_render(CLI::App& program);
+Verb add_figure1(CLI::App& program);
+Verb add_live(CLI::App& program);
+Verb add_figure2(CLI::App& program);
+Verb add_sweep(CLI::App& program);
+Verb add_merge(CLI::App& program);
+Verb add_compare(CLI::App& program);
+Verb add_params(CLI::App& program);
+Verb add_explain(CLI::App& program);
+Verb add_doctor(CLI::App& program);
+
+/// The options that every verb takes.
+struct Common {
+  io::Settings settings;
+  int threads = 0;  // 0: not given
+  std::string out;
+  bool force = false;
+  bool quiet = false;
+};
+
+/// What the common options mean for one verb, for its help.
+struct CommonHelp {
+  bool scene = true;                // takes a SCENE
+  std::string settings;             // a remark on --set and its shortcuts; may be empty
+  std::string threads, out, quiet;  // the whole help text of each
+  std::string out_names = "--out";  // with a verb's own word for it, e.g. "--csv,--out"
+};
+
+/// A check for options that name something: refuses an empty text, as an unset shell variable
+/// gives.
+std::string not_empty(const std::string& text);
+
+/// Declares the common options.
+void add_common(CLI::App& verb, Common& common, const CommonHelp& help);
+
+/// Text to standard output, or to the file of --out. Throws Failure(bad_file).
+void deliver(const Common& common, const std::string& text);
+
+}  // namespace pupflow::cli

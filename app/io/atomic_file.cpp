@@ -1,0 +1,179 @@
+#include "app/io/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "app/io/failure.h"
+
+namespace pupflow::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kBuffer = 1 << 16;
+
+Failure unwritable(const std::string& path, int error) {
+  const std::string name = is_standard_output(path) ? "standard output" : path;
+  return {ExitCode::bad_file, name + ": cannot write: " + std::generic_category().message(error)};
+}
+
+/// The descriptor that a path such as /dev/fd/3 stands for, or -1. Opening such a path would
+/// truncate or refuse a redirected file, so these are duplicated instead.
+int named_descriptor(const std::string& path) {
+  if (path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view prefix : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(prefix)) continue;
+    int number = -1;
+    const char* end = path.data() + path.size();
+    const auto [stop, error] = std::from_chars(path.data() + prefix.size(), end, number);
+    if (error == std::errc{} && stop == end) return number;
+  }
+  return -1;
+}
+
+/// Writes everything; returns 0 or the error number.
+int write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written >= 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+}  // namespace
+
+bool is_standard_output(const std::string& path) {
+  return named_descriptor(path) == STDOUT_FILENO;
+}
+
+bool is_stream(const std::string& path) {
+  if (named_descriptor(path) >= 0) return true;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+void refuse_existing(const std::string& path, bool force) {
+  if (path.empty()) throw Failure(ExitCode::bad_file, "the name of an output file is empty");
+  if (is_stream(path)) return;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) {
+    throw Failure(ExitCode::bad_file, path + ": is a folder; name a file in it");
+  }
+  if (fs::exists(status)) {
+    if (force) return;
+    throw Failure(ExitCode::bad_file, path + ": exists already; use --force to replace it");
+  }
+  if (status.type() == fs::file_type::none) throw unwritable(path, error.value());
+  const fs::path folder = folder_of(path);
+  if (!fs::is_directory(folder, error)) {
+    throw Failure(ExitCode::bad_file, path + ": cannot write: there is no folder " +
+                                          folder.string() + "; create it first");
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) throw unwritable(path, errno);
+}
+
+void print(std::string_view text) {
+  if (const int error = write_all(STDOUT_FILENO, text)) throw unwritable("-", error);
+}
+
+AtomicFile::AtomicFile(const std::string& path, bool force) : path_(path), force_(force) {
+  refuse_existing(path, force);
+  if (!is_stream(path)) {
+    open_temporary();
+    return;
+  }
+  const int named = named_descriptor(path);
+  descriptor_ = named >= 0 ? ::fcntl(named, F_DUPFD_CLOEXEC, 0)
+                           : ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (descriptor_ < 0) fail(errno);
+}
+
+void AtomicFile::open_temporary() {
+  std::error_code error;
+  target_ = fs::is_symlink(path_, error) ? fs::canonical(path_, error).string() : path_;
+  if (error) target_ = path_;  // a dangling link is replaced itself
+  struct stat old = {};
+  const bool replaces = ::stat(target_.c_str(), &old) == 0;
+  const fs::path folder = folder_of(target_);
+  for (int attempt = 0; descriptor_ < 0; ++attempt) {
+    const std::string name =
+        ".pupflow-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
+    temporary_ = (folder / name).string();
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST) {
+      const int reason = errno;
+      temporary_.clear();
+      fail(reason);
+    }
+  }
+  if (replaces && ::fchmod(descriptor_, old.st_mode & 07777) != 0) {
+    const int reason = errno;
+    ::unlink(temporary_.c_str());
+    ::close(descriptor_);
+    fail(reason);
+  }
+}
+
+AtomicFile::~AtomicFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::fail(int error) const {
+  throw unwritable(path_, error);
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  buffer_ += bytes;
+  if (buffer_.size() >= kBuffer) drain();
+}
+
+void AtomicFile::drain() {
+  if (const int error = write_all(descriptor_, buffer_)) fail(error);
+  buffer_.clear();
+}
+
+void AtomicFile::commit() {
+  drain();
+  if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail(errno);
+  const int descriptor = descriptor_;
+  descriptor_ = -1;
+  if (::close(descriptor) != 0) fail(errno);
+  if (!temporary_.empty()) put_in_place();
+}
+
+void AtomicFile::put_in_place() {
+  // Without --force a file that appeared meanwhile must survive; where the file system cannot
+  // rename without replacing, a look just before is the best there is.
+  if (!force_) {
+    if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) ==
+        0) {
+      temporary_.clear();
+      return;
+    }
+    if (errno != EINVAL && errno != ENOSYS) fail(errno);
+    refuse_existing(path_, false);
+  }
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_.clear();
+}
+
+}  // namespace pupflow::io

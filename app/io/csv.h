@@ -1,0 +1,68 @@
+// CSV files: a header of "# name = value" lines that tells how to make the file again, one line of
+// column names, then rows. Numbers are written in the shortest form that reads back to the same
+// value.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "app/io/atomic_file.h"
+#include "app/io/png.h"
+#include "engine/metrics.h"
+#include "engine/params.h"
+#include "engine/simulation.h"
+
+namespace pupflow::io {
+
+/// One CSV file being written; appears whole or not at all. Members throw Failure(bad_file).
+class CsvFile {
+ public:
+  /// Writes the header lines and `columns` (names joined by commas).
+  CsvFile(const std::string& path, bool force, const TextEntries& header, std::string_view columns);
+
+  /// One cell of the current row.
+  CsvFile& cell(double value);
+  CsvFile& cell(std::int64_t value);
+  void end_row();
+
+  /// A comment line, "# text".
+  void comment(std::string_view text);
+
+  /// Puts the file in its place.
+  void commit() { file_.commit(); }
+
+ private:
+  void add(std::string_view text);
+
+  AtomicFile file_;
+  std::string row_;
+};
+
+/// The state after each reported step: one row for the whole litter.
+class MetricsCsv {
+ public:
+  MetricsCsv(const std::string& path, bool force, const Params& params);
+  void add(const Simulation& simulation, const Observables& observables);
+  CsvFile& file() { return file_; }
+
+ private:
+  CsvFile file_;
+};
+
+/// The state after each reported step: one row for each pup.
+class PupsCsv {
+ public:
+  PupsCsv(const std::string& path, bool force, const Params& params);
+  void add(const Simulation& simulation);
+  CsvFile& file() { return file_; }
+
+ private:
+  CsvFile file_;
+};
+
+/// The "# name = value" lines at the beginning of a CSV file. Throws Failure(bad_file) when it
+/// cannot be read.
+TextEntries read_csv_header(const std::string& path);
+
+}  // namespace pupflow::io

@@ -1,0 +1,32 @@
+#include "app/io/interrupt.h"
+
+#include <unistd.h>
+#include <csignal>
+#include <cstdlib>
+
+namespace pupflow::io {
+namespace {
+
+volatile std::sig_atomic_t came = 0;
+
+void note_signal(int) {
+  if (came != 0) _exit(130);
+  came = 1;
+}
+
+}  // namespace
+
+void watch_for_interrupt() {
+  struct sigaction action = {};
+  action.sa_handler = note_signal;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+bool interrupted() {
+  return came != 0;
+}
+
+}  // namespace pupflow::io

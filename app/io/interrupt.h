@@ -1,0 +1,18 @@
+// Ctrl-C: long work looks here between steps, keeps what is done and ends with code 130.
+#pragma once
+
+namespace pupflow::io {
+
+// Visible from outside the executable: the graphics module carries a copy of this code, and the
+// dynamic linker then binds both to the executable's one flag.
+#pragma GCC visibility push(default)
+
+/// From now on SIGINT and SIGTERM only set the flag; a second one ends the program at once.
+void watch_for_interrupt();
+
+/// Whether one of them came.
+bool interrupted();
+
+#pragma GCC visibility pop
+
+}  // namespace pupflow::io

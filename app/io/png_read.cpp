@@ -1,0 +1,100 @@
+#include <png.h>
+
+#include <csetjmp>
+#include <cstring>
+
+#include "app/io/failure.h"
+#include "app/io/png.h"
+#include "app/io/read_file.h"
+
+namespace pupflow::io {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{1} << 30;
+
+Failure no_png(const std::string& path, const std::string& reason) {
+  return {ExitCode::bad_file, path + ": cannot read PNG: " + reason};
+}
+
+/// What the callbacks of libpng reach: the file's bytes and what went wrong.
+struct Source {
+  std::string bytes;
+  std::size_t position = 0;
+  std::string error;
+};
+
+void note_error(png_structp png, png_const_charp message) {
+  static_cast<Source*>(png_get_error_ptr(png))->error = message;
+  png_longjmp(png, 1);
+}
+
+void accept_warning(png_structp, png_const_charp) {}  // what libpng can put right is no concern
+
+void take(png_structp png, png_bytep data, std::size_t size) {
+  Source& source = *static_cast<Source*>(png_get_io_ptr(png));
+  if (source.bytes.size() - source.position < size) png_error(png, "it ends too early");
+  std::memcpy(data, source.bytes.data() + source.position, size);
+  source.position += size;
+}
+
+/// False after an error, told in `source`. libpng leaves by longjmp, so nothing with a destructor
+/// may live in this frame.
+bool read_chunks(png_structp png, png_infop info, png_infop end, Source& source) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_set_read_fn(png, &source, take);
+  png_read_info(png, info);
+  const int passes = png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+  // libpng finds what follows the pixels only by way of them.
+  for (png_uint_32 row = 0; row < png_get_image_height(png, info); ++row) {
+    for (int pass = 0; pass < passes; ++pass) png_read_row(png, nullptr, nullptr);
+  }
+  png_read_end(png, end);
+  return true;
+}
+
+void append_text(png_structp png, png_infop info, TextEntries& entries) {
+  png_textp chunks = nullptr;
+  int count = 0;
+  png_get_text(png, info, &chunks, &count);
+  for (int i = 0; i < count; ++i) {
+    entries.emplace_back(chunks[i].key, chunks[i].text ? chunks[i].text : "");
+  }
+}
+
+}  // namespace
+
+Image read_png(const std::string& path) {
+  const std::string bytes = read_file(path, kLargestFile);
+  png_image png = {};
+  png.version = PNG_IMAGE_VERSION;
+  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) {
+    throw no_png(path, png.message);
+  }
+  png.format = PNG_FORMAT_RGBA;
+  Image image(static_cast<int>(png.width), static_cast<int>(png.height));
+  if (!png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr)) {
+    throw no_png(path, png.message);
+  }
+  return image;
+}
+
+TextEntries read_png_text(const std::string& path) {
+  Source source;
+  source.bytes = read_file(path, kLargestFile);
+  png_structp png =
+      png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, note_error, accept_warning);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  png_infop end = info ? png_create_info_struct(png) : nullptr;
+  TextEntries entries;
+  const bool done = end && read_chunks(png, info, end, source);
+  if (done) {
+    append_text(png, info, entries);
+    append_text(png, end, entries);
+  }
+  png_destroy_read_struct(&png, &info, &end);
+  if (!done) throw no_png(path, source.error);
+  return entries;
+}
+
+}  // namespace pupflow::io

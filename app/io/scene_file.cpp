@@ -1,0 +1,149 @@
+#include "app/io/scene_file.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+#include "app/io/failure.h"
+#include "app/io/nearest.h"
+#include "app/io/read_file.h"
+#include "app/io/text.h"
+
+namespace pupflow::io {
+namespace {
+
+constexpr std::size_t kLargestScene = 1 << 20;
+
+std::string located(const std::string& name, const toml::source_region& where) {
+  return name + ":" + std::to_string(where.begin.line) + ":" + std::to_string(where.begin.column) +
+         ": ";
+}
+
+std::string_view type_words(toml::node_type type) {
+  switch (type) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number with a fraction";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
+  }
+}
+
+std::string_view wanted_words(Parameter::Kind kind) {
+  switch (kind) {
+    case Parameter::Kind::real:
+      return "a number";
+    case Parameter::Kind::integer:
+      return "a whole number";
+    case Parameter::Kind::choice:
+      return "a string";
+  }
+  return {};
+}
+
+std::string wrong_type(std::string_view key, std::string_view wanted, const toml::node& value) {
+  return std::string(key) + " must be " + std::string(wanted) + ", not " +
+         std::string(type_words(value.type()));
+}
+
+/// Takes one key that names a parameter; returns what is wrong with its value, or nothing.
+std::string take_parameter(const Parameter& parameter, const toml::node& value, Params& params) {
+  Problem problem;
+  if (parameter.kind == Parameter::Kind::choice) {
+    const auto text = value.value_exact<std::string>();
+    if (!text) return wrong_type(parameter.name, wanted_words(parameter.kind), value);
+    parse_value(parameter, *text, params, problem);
+    return problem.message;
+  }
+  const bool right_type =
+      value.is_integer() || (parameter.kind == Parameter::Kind::real && value.is_floating_point());
+  if (!right_type) return wrong_type(parameter.name, wanted_words(parameter.kind), value);
+  // Through as_integer: toml++ refuses to convert a whole number that a double cannot hold.
+  const double number = value.is_integer() ? static_cast<double>(value.as_integer()->get())
+                                           : value.as_floating_point()->get();
+  if (check_value(parameter, number, problem)) parameter.set(params, number);
+  return problem.message;
+}
+
+std::string unknown_key(std::string_view key, const toml::node& value) {
+  if (value.is_table()) {
+    return quoted(key) + " is a table, but a scene is a flat list of name = value";
+  }
+  std::vector<std::string_view> names{"title", "description"};
+  for (const Parameter& parameter : parameters()) names.push_back(parameter.name);
+  const std::string meant = did_you_mean(key, names);
+  return "unknown key " + quoted(key) + (meant.empty() ? "; 'pupflow params' lists all" : meant);
+}
+
+/// Takes one key of the scene; returns what is wrong with it, or nothing.
+std::string take_key(std::string_view key, const toml::node& value, Scene& scene) {
+  if (key == "title" || key == "description") {
+    const auto text = value.value_exact<std::string>();
+    if (!text) return wrong_type(key, "a string", value);
+    (key == "title" ? scene.title : scene.description) = *text;
+    return {};
+  }
+  const Parameter* parameter = find_parameter(key);
+  return parameter ? take_parameter(*parameter, value, scene.params) : unknown_key(key, value);
+}
+
+/// Whether the user surely means a file rather than a shipped scene.
+bool looks_like_path(const std::string& scene) {
+  return scene == "-" || scene.find('/') != std::string::npos || scene.ends_with(".toml");
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& name,
+                  std::vector<std::string>& problems) {
+  Scene scene;
+  try {
+    const toml::table table = toml::parse(text, name);
+    std::vector<std::pair<const toml::key*, const toml::node*>> entries;
+    for (auto&& [key, value] : table) entries.emplace_back(&key, &value);
+    // The table is sorted by key; people read files from top to bottom.
+    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+      return a.first->source().begin < b.first->source().begin;
+    });
+    for (const auto& [key, value] : entries) {
+      const std::string wrong = take_key(key->str(), *value, scene);
+      const toml::source_region& where =
+          find_parameter(key->str()) ? value->source() : key->source();
+      if (!wrong.empty()) problems.push_back(located(name, where) + wrong);
+    }
+  } catch (const toml::parse_error& error) {
+    problems.push_back(located(name, error.source()) + std::string(error.description()));
+  }
+  return scene;
+}
+
+Scene load_scene(const std::string& scene, std::vector<std::string>& problems) {
+  const auto shipped = shipped_scenes();
+  const auto found = std::find_if(shipped.begin(), shipped.end(),
+                                  [&](const ShippedScene& s) { return s.name == scene; });
+  if (found != shipped.end()) return parse_scene(found->text, scene + ".toml", problems);
+  if (looks_like_path(scene)) {
+    const std::string name = scene == "-" ? "standard input" : scene;
+    return parse_scene(read_file(scene, kLargestScene), name, problems);
+  }
+  std::vector<std::string_view> names;
+  std::string listed;
+  for (const ShippedScene& s : shipped) {
+    names.push_back(s.name);
+    listed += (listed.empty() ? "" : ", ") + std::string(s.name);
+  }
+  throw Failure(ExitCode::bad_input,
+                "no scene " + quoted(scene) + did_you_mean(scene, names) + " (shipped: " + listed +
+                    "; a scene file is given as a path with '/' or ending in .toml)");
+}
+
+}  // namespace pupflow::io

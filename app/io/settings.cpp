@@ -1,0 +1,80 @@
+#include "app/io/settings.h"
+
+#include <algorithm>
+
+#include "app/io/failure.h"
+#include "app/io/nearest.h"
+#include "app/io/provenance.h"
+#include "app/io/scene_file.h"
+#include "app/io/text.h"
+
+namespace pupflow::io {
+namespace {
+
+std::string unknown_parameter(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Parameter& parameter : parameters()) names.push_back(parameter.name);
+  const std::string meant = did_you_mean(name, names);
+  return "unknown parameter " + quoted(name) +
+         (meant.empty() ? "; 'pupflow params' lists all" : meant);
+}
+
+/// Sets one parameter from text; what is wrong goes to `problems`, told to come from `option`.
+void take(const std::string& option, std::string_view name, std::string_view value, Params& params,
+          std::vector<std::string>& problems) {
+  const Parameter* parameter = find_parameter(name);
+  if (!parameter) {
+    problems.push_back(option + ": " + unknown_parameter(name));
+    return;
+  }
+  Problem problem;
+  if (!parse_value(*parameter, value, params, problem)) {
+    problems.push_back(option + ": " + problem.message);
+  }
+}
+
+void take_set(const std::string& set, Params& params, std::vector<std::string>& problems) {
+  const std::size_t equals = set.find('=');
+  if (equals == std::string::npos) {
+    problems.push_back("--set " + set + ": must be name=value, e.g. --set ta=0.2");
+    return;
+  }
+  take("--set", set.substr(0, equals), set.substr(equals + 1), params, problems);
+}
+
+[[noreturn]] void fail_with(const std::vector<std::string>& problems) {
+  std::string lines;
+  for (const std::string& problem : problems) lines += (lines.empty() ? "" : "\n") + problem;
+  throw Failure(ExitCode::bad_input, lines);
+}
+
+}  // namespace
+
+bool Settings::empty() const {
+  return scene.empty() && like.empty() && sets.empty() && !seed && !steps && !precision;
+}
+
+Setup set_up(const Settings& settings) {
+  if (!settings.scene.empty() && !settings.like.empty()) {
+    throw Failure(ExitCode::bad_input,
+                  "a scene and --like both give a whole parameter set; use one of them");
+  }
+  Setup setup;
+  std::vector<std::string> problems;
+  if (!settings.scene.empty()) {
+    const Scene scene = load_scene(settings.scene, problems);
+    setup = {scene.params, scene.title, scene.description};
+  }
+  if (!settings.like.empty()) setup.params = params_of_file(settings.like);
+  for (const std::string& set : settings.sets) take_set(set, setup.params, problems);
+  const std::pair<const char*, const std::optional<std::string>*> shortcuts[] = {
+      {"seed", &settings.seed}, {"steps", &settings.steps}, {"precision", &settings.precision}};
+  for (const auto& [name, value] : shortcuts) {
+    if (*value) take("--" + std::string(name), name, **value, setup.params, problems);
+  }
+  for (const Problem& problem : check(setup.params)) problems.push_back(problem.message);
+  if (!problems.empty()) fail_with(problems);
+  return setup;
+}
+
+}  // namespace pupflow::io

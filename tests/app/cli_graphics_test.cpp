@@ -1,0 +1,157 @@
+// The verbs that need the graphics module: without it, and with a fake one that prints its job.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "program.h"
+#include "scratch.h"
+
+namespace pupflow {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Outcome;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+class CliGraphics : public testing::Test {
+ protected:
+  CliGraphics() { fs::copy_file(PUPFLOW_PROGRAM, program()); }
+
+  void give_module() const {
+    fs::copy_file(PUPFLOW_FAKE_GRAPHICS, scratch_.path("libpupflow_graphics.so"));
+  }
+
+  std::string program() const { return scratch_.path("pupflow"); }
+  Outcome pupflow(const std::vector<std::string>& arguments) const {
+    return test::run_program(program(), arguments, scratch_.folder().string());
+  }
+  std::string refused(const std::vector<std::string>& arguments) const {
+    const Outcome outcome = pupflow(arguments);
+    EXPECT_EQ(outcome.code, 2) << testing::PrintToString(arguments);
+    EXPECT_THAT(outcome.out, IsEmpty());
+    return outcome.err;
+  }
+
+  test::Scratch scratch_;
+};
+
+TEST_F(CliGraphics, WithoutTheModuleOnlyPicturesFail) {
+  EXPECT_EQ(pupflow({"run", "--steps", "1"}).code, 0);
+  const std::vector<std::vector<std::string>> calls{{"render"}, {"figure1"}, {"live"}};
+  for (const auto& call : calls) {
+    const Outcome outcome = pupflow(call);
+    EXPECT_EQ(outcome.code, 5);
+    EXPECT_THAT(outcome.err, StartsWith("pupflow: no graphics: "));
+    EXPECT_THAT(outcome.err, HasSubstr(scratch_.path("libpupflow_graphics.so")));
+    EXPECT_THAT(outcome.err, HasSubstr("apt install"));
+  }
+  const Outcome doctor = pupflow({"doctor"});
+  EXPECT_EQ(doctor.code, 0);
+  EXPECT_THAT(doctor.out, HasSubstr("apt install"));
+  EXPECT_EQ(scratch_.entries(), 1);
+}
+
+TEST_F(CliGraphics, AModuleThatDoesNotLoadIsReportedWithTheReason) {
+  scratch_.file("libpupflow_graphics.so", std::string(4096, '?'));
+  const Outcome outcome = pupflow({"figure1"});
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("invalid ELF header"));
+}
+
+TEST_F(CliGraphics, IsFoundInTheInstalledPlaceToo) {
+  fs::create_directories(scratch_.path("bin"));
+  const fs::path library = (scratch_.folder() / "bin" / PUPFLOW_MODULE_FOLDER).lexically_normal();
+  fs::create_directories(library);
+  fs::copy_file(PUPFLOW_FAKE_GRAPHICS, library / "libpupflow_graphics.so");
+  fs::rename(program(), scratch_.path("bin/pupflow"));
+  EXPECT_EQ(test::run_program(scratch_.path("bin/pupflow"), {"figure1"}, "/").code, 0);
+}
+
+TEST_F(CliGraphics, RenderHandsOverItsJob) {
+  give_module();
+  const Outcome plain = pupflow({"render", "--steps", "40"});
+  EXPECT_EQ(plain.code, 0) << plain.err;
+  EXPECT_EQ(plain.out,
+            "render seed=1 at 40\n1280x960 camera=orbit:30,35 bar=1\n"
+            "viridis 0..1 n=2 verbose=0 shaders='' out=frames/%05d.png force=0 quiet=0\n");
+  const Outcome full = pupflow(
+      {"render",  "cold",          "--seed", "9",         "--at",         "30,0,30,2", "--size",
+       "64x48",   "--camera",      "top",    "--no-bar",  "--colormap",   "cividis",   "--scale",
+       "-1,0.5",  "--supersample", "3",      "--verbose", "--shader-dir", ".",         "--out",
+       "a%d.png", "--force",       "--quiet"});
+  EXPECT_EQ(full.out,
+            "render seed=9 at 0 2 30\n64x48 camera=top bar=0\n"
+            "cividis -1..0.5 n=3 verbose=1 shaders='.' out=a%d.png force=1 quiet=1\n");
+  EXPECT_THAT(pupflow({"render", "--every", "10", "--steps", "35"}).out,
+              HasSubstr("at 10 20 30\n"));
+}
+
+TEST_F(CliGraphics, RenderRefusesBadOptions) {
+  refused({"render", "--camera", "sideways"});
+  refused({"render", "--colormap", "rainbow"});
+  refused({"render", "--size", "0x10"});
+  refused({"render", "--size", "640"});
+  refused({"render", "--scale", "1,0"});
+  refused({"render", "--scale", "0"});
+  refused({"render", "--supersample", "0"});
+  refused({"render", "--at", "1,-2"});
+  refused({"render", "--at", "1", "--every", "2"});
+  refused({"render", "--every", "2000"});
+  EXPECT_THAT(refused({"render", "--at", "1,2", "--out", "a.png"}), HasSubstr("%05d"));
+  refused({"render", "--out", "%s.png"});
+  refused({"figure1", "--ta", "0.2,"});
+  EXPECT_THAT(refused({"figure1", "--set", "ta=0.2"}), HasSubstr("use --ta 0.2"));
+  refused({"live", "--size", "big"});
+  refused({"live", "--screenshots", "%x.png"});
+}
+
+TEST_F(CliGraphics, Figure1HandsOverItsJob) {
+  give_module();
+  EXPECT_THAT(pupflow({"figure1"}).out,
+              StartsWith("figure1 seed=1 panel=560 threads=0 ta 0.2 0.5 0.8\n"));
+  EXPECT_THAT(pupflow({"figure1", "--ta", "-0.5,1", "--panel", "120", "--seed", "3", "--threads",
+                       "2", "--out", "f.png"})
+                  .out,
+              testing::AllOf(StartsWith("figure1 seed=3 panel=120 threads=2 ta -0.5 1\n"),
+                             HasSubstr("out=f.png")));
+  scratch_.file("f.png", "precious");
+  EXPECT_EQ(pupflow({"figure1", "--out", "f.png"}).code, 4);
+}
+
+TEST_F(CliGraphics, LiveHandsOverItsJobAndItsFailure) {
+  give_module();
+  const Outcome outcome = pupflow({"live", "--size", "800x600", "--ui-scale", "1.5", "--paused",
+                                   "--screenshots", "s%d.png", "--test-events"});
+  EXPECT_EQ(outcome.out, "live 800x600 ui=1.5 paused=1 shots=s%d.png events=1\n");
+  EXPECT_EQ(outcome.err, "pupflow: no display was found\n");
+  EXPECT_EQ(outcome.code, 5);
+}
+
+TEST_F(CliGraphics, TheModuleSeesAnInterrupt) {
+  give_module();
+  test::Running running(program(), {"live", "--exit-after", "1"}, scratch_.folder().string());
+  while (!fs::exists(scratch_.path("ready"))) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  running.signal(SIGINT);
+  const Outcome outcome = running.wait();
+  EXPECT_EQ(outcome.err, "pupflow: the module saw it\n");
+  EXPECT_EQ(outcome.code, 130);
+}
+
+TEST_F(CliGraphics, DoctorTellsWhatWasTried) {
+  give_module();
+  const Outcome outcome = pupflow({"doctor"});
+  EXPECT_EQ(outcome.code, 0);
+  for (const char* part : {"works: EGL fake", "renderer of paper", "tried first: no",
+                           "does not work", "tried GLFW: no DISPLAY", "needs a display"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(part));
+  }
+}
+
+}  // namespace
+}  // namespace pupflow

@@ -1,0 +1,183 @@
+// pupflow run, as a user sees it.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "app/io/provenance.h"
+#include "program.h"
+#include "scratch.h"
+
+namespace pupflow {
+namespace {
+
+using test::contents;
+using test::Outcome;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+class CliRun : public testing::Test {
+ protected:
+  Outcome pupflow(const std::vector<std::string>& arguments) const {
+    return test::run_program(PUPFLOW_PROGRAM, arguments, scratch_.folder().string());
+  }
+
+  /// The lines of a CSV file that are no comments.
+  std::vector<std::string> rows(const std::string& name) const {
+    std::vector<std::string> lines;
+    std::istringstream text(contents(scratch_.path(name)));
+    for (std::string line; std::getline(text, line);) {
+      if (!line.starts_with('#')) lines.push_back(line);
+    }
+    return lines;
+  }
+
+  std::string last_line(const std::string& name) const {
+    const std::string text = contents(scratch_.path(name));
+    const std::size_t begin = text.rfind('\n', text.size() - 2) + 1;
+    return text.substr(begin, text.size() - 1 - begin);
+  }
+
+  test::Scratch scratch_;
+};
+
+TEST_F(CliRun, WritesBothFilesWithTheirColumns) {
+  const Outcome outcome =
+      pupflow({"run", "--set", "pups=3", "--steps", "7", "--csv", "m.csv", "--pups", "p.csv"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_THAT(outcome.out, HasSubstr("status  fine"));
+  const auto metrics = rows("m.csv"), pups = rows("p.csv");
+  ASSERT_EQ(metrics.size(), 1U + 7);
+  ASSERT_EQ(pups.size(), 1U + 3 * 7);
+  EXPECT_EQ(metrics[0], "step,time,mean_tb,huddling,groups,largest,flow,membership_flow");
+  EXPECT_EQ(pups[0], "step,pup,x,y,z,tb,exposed,heading");
+  EXPECT_THAT(metrics[1], StartsWith("1,0.01,"));
+  EXPECT_THAT(metrics[7], StartsWith("7,"));
+  EXPECT_THAT(pups[1], StartsWith("1,0,"));
+  EXPECT_THAT(pups[21], StartsWith("7,2,"));
+  EXPECT_EQ(scratch_.entries(), 2);
+}
+
+TEST_F(CliRun, EveryThinsTheRowsWithoutChangingThem) {
+  ASSERT_EQ(pupflow({"run", "cold", "--steps", "60", "--quiet", "--csv", "all.csv"}).code, 0);
+  ASSERT_EQ(
+      pupflow({"run", "cold", "--steps", "60", "--quiet", "--csv", "some.csv", "--every", "20"})
+          .code,
+      0);
+  const auto all = rows("all.csv");
+  EXPECT_THAT(rows("some.csv"), ElementsAre(all[0], all[20], all[40], all[60]));
+}
+
+TEST_F(CliRun, LikeMakesTheSameFileAgain) {
+  ASSERT_EQ(pupflow({"run", "critical", "--seed", "7", "--set", "tp=0.61", "--steps", "50",
+                     "--precision", "float", "--quiet", "--csv", "a.csv"})
+                .code,
+            0);
+  ASSERT_EQ(pupflow({"run", "--like", "a.csv", "--quiet", "--csv", "b.csv"}).code, 0);
+  EXPECT_EQ(contents(scratch_.path("a.csv")), contents(scratch_.path("b.csv")));
+  ASSERT_EQ(pupflow({"run", "--like", "a.csv", "--seed", "8", "--quiet", "--csv", "c.csv"}).code,
+            0);
+  EXPECT_NE(rows("a.csv"), rows("c.csv"));
+}
+
+TEST_F(CliRun, DefaultThenSceneThenSetThenShortcut) {
+  scratch_.file("s.toml", "ta = 0.1\ntp = 0.1\nsteps = 2\nseed = 2\n");
+  ASSERT_EQ(pupflow({"run", "--set", "tp=0.2", "--set", "seed=3", "s.toml", "--seed", "4", "--csv",
+                     "m.csv", "--quiet"})
+                .code,
+            0);
+  Params expected;
+  expected.ta = 0.1;
+  expected.tp = 0.2;
+  expected.steps = 2;
+  expected.seed = 4;
+  EXPECT_EQ(io::params_of_file(scratch_.path("m.csv")), expected);
+}
+
+TEST_F(CliRun, NoStepsGiveAFileWithoutRows) {
+  const Outcome outcome = pupflow({"run", "--steps", "0", "--csv", "m.csv"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("no means"));
+  EXPECT_EQ(rows("m.csv").size(), 1U);
+}
+
+TEST_F(CliRun, SaysWhyThereAreNoMeans) {
+  EXPECT_THAT(pupflow({"run", "--steps", "5"}).out,
+              HasSubstr("no means: the run ended at step 5, and discard = 500"));
+  EXPECT_THAT(pupflow({"run", "--steps", "6", "--set", "discard=5"}).out,
+              HasSubstr("means over steps 6 to 6"));
+}
+
+TEST_F(CliRun, RefusesBeforeItStarts) {
+  scratch_.file("m.csv", "precious");
+  // So many steps would not end: refusing comes first.
+  const Outcome outcome = pupflow({"run", "--steps", "1000000000", "--csv", "m.csv"});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, StartsWith("pupflow: m.csv: exists already; use --force"));
+  EXPECT_EQ(contents(scratch_.path("m.csv")), "precious");
+  EXPECT_EQ(pupflow({"run", "--steps", "2", "--csv", "m.csv", "--force"}).code, 0);
+  EXPECT_EQ(rows("m.csv").size(), 3U);
+  EXPECT_EQ(pupflow({"run", "--csv", "x.csv", "--pups", "./x.csv"}).code, 2);
+  EXPECT_EQ(pupflow({"run", "--csv", "m.csv/x.csv"}).code, 4);
+  EXPECT_EQ(pupflow({"run", "--csv", ""}).code, 2);
+  EXPECT_EQ(scratch_.entries(), 1);
+}
+
+TEST_F(CliRun, ReportsAFullDisk) {
+  const Outcome outcome = pupflow({"run", "--steps", "3", "--quiet", "--csv", "/dev/full"});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("/dev/full: cannot write"));
+}
+
+TEST_F(CliRun, StandardOutputCarriesTheRowsAlone) {
+  const Outcome outcome = pupflow({"run", "--steps", "2", "--csv", "-"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, StartsWith("# Software = pupflow"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("status")));
+  EXPECT_THAT(outcome.err, HasSubstr("status  fine"));
+}
+
+TEST_F(CliRun, BadNumbersKeepTheRowsBefore) {
+  const Outcome outcome =
+      pupflow({"run", "--set", "beta=1", "--csv", "m.csv", "--pups", "p.csv", "--quiet"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, testing::MatchesRegex("pupflow: [^\n]+ at step [0-9]+, stage [^\n]+\n"));
+  const std::string reason = outcome.err.substr(9, outcome.err.size() - 10);
+  EXPECT_EQ(last_line("m.csv"), "# ended early: " + reason);
+  EXPECT_EQ(last_line("p.csv"), "# ended early: " + reason);
+  const auto metrics = rows("m.csv");
+  EXPECT_THAT(reason, HasSubstr("step " + std::to_string(metrics.size()) + ","));
+  EXPECT_EQ(rows("p.csv").size(), 1 + 12 * (metrics.size() - 1));
+}
+
+TEST_F(CliRun, InterruptKeepsTheRowsDone) {
+  test::Running running(PUPFLOW_PROGRAM,
+                        {"run", "--steps", "1000000000", "--csv", "m.csv", "--quiet"},
+                        scratch_.folder().string());
+  while (scratch_.entries() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  running.signal(SIGINT);
+  const Outcome outcome = running.wait();
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_THAT(outcome.err, testing::MatchesRegex("pupflow: interrupted after step [0-9]+\n"));
+  const std::string reason = outcome.err.substr(9, outcome.err.size() - 10);
+  EXPECT_EQ(last_line("m.csv"), "# ended early: " + reason);
+  EXPECT_EQ(reason, "interrupted after step " + std::to_string(rows("m.csv").size() - 1));
+}
+
+TEST_F(CliRun, OutputDoesNotDependOnWhatIsWatched) {
+  const auto hash = [](const Outcome& outcome) {
+    return outcome.out.substr(outcome.out.find("hash"));
+  };
+  const Outcome plain = pupflow({"run", "cold", "--steps", "80"});
+  const Outcome watched = pupflow({"run", "cold", "--steps", "80", "--set", "discard=10", "--csv",
+                                   "m.csv", "--pups", "p.csv", "--every", "7"});
+  EXPECT_EQ(hash(plain), hash(watched));
+}
+
+}  // namespace
+}  // namespace pupflow

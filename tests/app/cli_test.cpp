@@ -1,0 +1,127 @@
+// The command line of every verb, as a user sees it.
+#include <gmock/gmock.h>
+
+#include "engine/params.h"
+#include "program.h"
+#include "scratch.h"
+
+namespace pupflow {
+namespace {
+
+using test::Outcome;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::MatchesRegex;
+
+const std::vector<std::string> kVerbs{"live",    "run",    "render", "figure1",
+                                      "explain", "params", "doctor"};
+
+class Cli : public testing::Test {
+ protected:
+  Outcome pupflow(const std::vector<std::string>& arguments) const {
+    return test::run_program(PUPFLOW_PROGRAM, arguments, scratch_.folder().string());
+  }
+
+  /// Wrong input: exit code 2, nothing on standard output, every line of the error told to be ours.
+  std::string refused(const std::vector<std::string>& arguments) const {
+    const Outcome outcome = pupflow(arguments);
+    EXPECT_EQ(outcome.code, 2) << testing::PrintToString(arguments);
+    EXPECT_THAT(outcome.out, IsEmpty());
+    EXPECT_THAT(outcome.err, MatchesRegex("(pupflow: [^\n]+\n)+"));
+    EXPECT_EQ(scratch_.entries(), 0) << testing::PrintToString(arguments);
+    return outcome.err;
+  }
+
+  test::Scratch scratch_;
+};
+
+TEST_F(Cli, EveryVerbHasHelpAndTheCommonOptions) {
+  const Outcome top = pupflow({"--help"});
+  EXPECT_EQ(top.code, 0);
+  for (const std::string& verb : kVerbs) {
+    EXPECT_THAT(top.out, HasSubstr("\n  " + verb + " "));
+    const Outcome help = pupflow({verb, "--help"});
+    EXPECT_EQ(help.code, 0) << verb;
+    EXPECT_THAT(help.err, IsEmpty()) << verb;
+    for (const char* option : {"--set", "--like", "--seed", "--steps", "--threads", "--precision",
+                               "--out", "--force", "--quiet"}) {
+      EXPECT_THAT(help.out, HasSubstr(option)) << verb;
+    }
+  }
+  EXPECT_THAT(pupflow({"--version"}).out, MatchesRegex("pupflow [0-9.]+\n"));
+}
+
+TEST_F(Cli, WrongCommandLinesAreRefusedWithAHint) {
+  EXPECT_THAT(refused({}), HasSubstr("no verb given"));
+  EXPECT_THAT(refused({"rum"}), HasSubstr("did you mean 'run'?"));
+  EXPECT_THAT(refused({"run", "--presicion", "float"}), HasSubstr("did you mean '--precision'?"));
+  EXPECT_THAT(refused({"run", "cold", "warm"}), HasSubstr("unexpected argument 'warm'"));
+  EXPECT_THAT(refused({"run", "--set"}), HasSubstr("--set needs a value"));
+  EXPECT_THAT(refused({"run", "--seed", "1", "--seed", "2"}), HasSubstr("--seed is given twice"));
+  EXPECT_THAT(refused({"run", "--every", "0"}), HasSubstr("--every"));
+  EXPECT_THAT(refused({"run", "--threads", "0"}), HasSubstr("--threads"));
+  EXPECT_THAT(refused({"params", "--format", "xml"}), HasSubstr("markdown"));
+  EXPECT_THAT(refused({"--nope"}), HasSubstr("unknown option '--nope'"));
+}
+
+TEST_F(Cli, EveryVerbRefusesAnUnknownParameter) {
+  for (const std::string& verb : kVerbs) {
+    EXPECT_THAT(refused({verb, "--set", "alpa=1"}), HasSubstr("did you mean 'alpha'?")) << verb;
+    EXPECT_THAT(refused({verb, "--set", "alpha=2"}), HasSubstr("alpha = 2")) << verb;
+  }
+}
+
+TEST_F(Cli, AllProblemsAreListedALineEach) {
+  const std::string errors = refused({"run", "--set", "ta=x", "--set", "alpha=2", "--steps", "-1"});
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 3);
+}
+
+TEST_F(Cli, ASceneErrorNamesItsPlace) {
+  const std::string path = scratch_.file("s.toml", "ta = 0.2\nalpa = 0.5\n");
+  const Outcome outcome = pupflow({"run", "s.toml"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err, "pupflow: s.toml:2:1: unknown key 'alpa'; did you mean 'alpha'?\n");
+  EXPECT_EQ(pupflow({"run", "none.toml"}).code, 4);
+}
+
+TEST_F(Cli, ParamsListsEveryParameterInEachFormat) {
+  for (const char* format : {"text", "markdown", "json"}) {
+    const Outcome outcome = pupflow({"params", "--format", format});
+    EXPECT_EQ(outcome.code, 0);
+    for (const Parameter& parameter : parameters()) {
+      const std::string name(parameter.name);
+      const std::string wanted = std::string_view(format) == "text"       ? "\n" + name + " "
+                                 : std::string_view(format) == "markdown" ? "| `" + name + "` |"
+                                                                          : "\"" + name + "\"";
+      EXPECT_THAT(outcome.out, HasSubstr(wanted)) << format;
+    }
+  }
+  EXPECT_THAT(pupflow({"params", "cold", "--format", "json"}).out,
+              HasSubstr("\"default\": 0.4, \"value\": 0.2"));
+}
+
+TEST_F(Cli, OutWritesAFileAndForceReplacesIt) {
+  ASSERT_EQ(pupflow({"params", "--out", "p.txt"}).code, 0);
+  EXPECT_EQ(test::contents(scratch_.path("p.txt")), pupflow({"params"}).out);
+  EXPECT_EQ(pupflow({"params", "--out", "p.txt"}).code, 4);
+  EXPECT_EQ(pupflow({"params", "--out", "p.txt", "--force"}).code, 0);
+}
+
+TEST_F(Cli, ExplainTellsWhichStagesAreInAndWhy) {
+  const Outcome outcome = pupflow({"explain", "single", "--after", "3", "--quiet"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("\nboundary +yes +[0-9.]+ +[a-z]"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("\ncontact +no +- +[a-z]"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("\nwhole step +[0-9.]+"));
+  EXPECT_THAT(outcome.out, HasSubstr("steps 4 to 203"));
+}
+
+TEST_F(Cli, AStandardOutputThatIsFullIsReported) {
+  const Outcome outcome = test::run_program(
+      "/bin/sh", {"-c", "exec \"$0\" params > /dev/full", PUPFLOW_PROGRAM}, scratch_.path(""));
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, MatchesRegex("pupflow: standard output: [^\n]+\n"));
+}
+
+}  // namespace
+}  // namespace pupflow

@@ -1,0 +1,61 @@
+// A graphics module without graphics, put beside a copy of the executable: it prints the job that
+// it is given. The command line is tested with it where there is no OpenGL.
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "app/io/failure.h"
+#include "app/io/interrupt.h"
+#include "app/pictures/graphics.h"
+
+namespace pupflow::pictures {
+namespace {
+
+void print_look(const Look& look, const Output& output) {
+  std::printf("%s %g..%g n=%d verbose=%d shaders='%s' out=%s force=%d quiet=%d\n",
+              look.colormap.c_str(), look.scale_min, look.scale_max, look.supersample, look.verbose,
+              look.shader_dir.c_str(), output.path.c_str(), output.force, output.quiet);
+}
+
+class FakeGraphics : public Graphics {
+ public:
+  void render(const RenderJob& job) override {
+    std::printf("render seed=%lld at", static_cast<long long>(job.params.seed));
+    for (const std::int64_t step : job.at) std::printf(" %lld", static_cast<long long>(step));
+    std::printf("\n%dx%d camera=%s bar=%d\n", job.width, job.height, job.camera.c_str(), job.bar);
+    print_look(job.look, job.output);
+  }
+
+  void figure1(const Figure1Job& job) override {
+    std::printf("figure1 seed=%lld panel=%d threads=%d ta", static_cast<long long>(job.params.seed),
+                job.panel, job.threads);
+    for (const double ta : job.ta) std::printf(" %g", ta);
+    std::printf("\n");
+    print_look(job.look, job.output);
+  }
+
+  /// Waits for Ctrl-C when --exit-after is 1, else fails as a module without a display does.
+  void live(const LiveJob& job) override {
+    std::printf("live %dx%d ui=%g paused=%d shots=%s events=%d\n", job.width, job.height,
+                job.ui_scale, job.paused, job.screenshot.c_str(), job.test_events);
+    std::fflush(stdout);
+    if (job.exit_after != 1) throw io::Failure(io::ExitCode::no_context, "no display was found");
+    std::fclose(std::fopen("ready", "w"));
+    while (!io::interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    throw io::Failure(io::ExitCode::interrupted, "the module saw it");
+  }
+
+  ContextReport probe_headless() override {
+    return {true, "EGL fake", "renderer of paper", "3.3", {"first: no", "second: yes"}};
+  }
+  ContextReport probe_window() override { return {false, "", "", "", {"GLFW: no DISPLAY"}}; }
+};
+
+}  // namespace
+}  // namespace pupflow::pictures
+
+extern "C" __attribute__((visibility("default"))) pupflow::pictures::Graphics*
+pupflow_graphics_entry() {
+  static pupflow::pictures::FakeGraphics graphics;
+  return &graphics;
+}

@@ -1,0 +1,82 @@
+#include "app/io/provenance.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/io/csv.h"
+#include "failing.h"
+#include "scratch.h"
+
+namespace pupflow::io {
+namespace {
+
+using test::failure_of;
+using testing::HasSubstr;
+
+/// A sound set in which every parameter differs from its default; reals need all their digits.
+Params unusual_params() {
+  Params params;
+  for (const Parameter& p : parameters()) {
+    const double old = p.get(params);
+    double value = old + 1;
+    if (p.kind == Parameter::Kind::choice) value = old == 0 ? 1 : 0;
+    if (p.kind == Parameter::Kind::real)
+      value = std::min(p.max, std::nextafter(old * 1.1 + 0.1, 9));
+    p.set(params, value);
+    EXPECT_NE(p.get(params), old) << p.name;
+  }
+  params.seed = 9007199254740991;
+  EXPECT_TRUE(check(params).empty());
+  return params;
+}
+
+TEST(Provenance, ParametersReadBackFromEntries) {
+  const Params params = unusual_params();
+  EXPECT_EQ(params_from(provenance(params), "here"), params);
+}
+
+TEST(Provenance, ParametersReadBackFromPng) {
+  const test::Scratch scratch;
+  const Params params = unusual_params();
+  write_png(scratch.path("a.png"), Image(8, 8), provenance(params, {{"step", "12"}}), false);
+  EXPECT_EQ(params_of_file(scratch.path("a.png")), params);
+  EXPECT_EQ(read_png_text(scratch.path("a.png")).back().second, "12");
+}
+
+TEST(Provenance, ParametersReadBackFromBothCsvFiles) {
+  const test::Scratch scratch;
+  const Params params = unusual_params();
+  MetricsCsv(scratch.path("m.csv"), false, params).file().commit();
+  PupsCsv(scratch.path("p.csv"), false, params).file().commit();
+  EXPECT_EQ(params_of_file(scratch.path("m.csv")), params);
+  EXPECT_EQ(params_of_file(scratch.path("p.csv")), params);
+}
+
+TEST(Provenance, NamesTheVersion) {
+  const TextEntries entries = provenance(Params{});
+  EXPECT_EQ(entries.front().first, "Software");
+  EXPECT_THAT(entries.front().second, testing::MatchesRegex("pupflow [0-9.]+"));
+}
+
+TEST(Provenance, RefusesAnIncompleteOrWrongSet) {
+  TextEntries entries = provenance(Params{});
+  std::erase_if(entries, [](const auto& e) { return e.first == "beta"; });
+  const std::string missing =
+      failure_of(ExitCode::bad_input, [&] { params_from(entries, "old.csv"); });
+  EXPECT_THAT(missing, HasSubstr("old.csv"));
+  EXPECT_THAT(missing, HasSubstr("missing: beta"));
+  entries.emplace_back("beta", "much");
+  EXPECT_THAT(failure_of(ExitCode::bad_input, [&] { params_from(entries, "old.csv"); }),
+              HasSubstr("old.csv: beta = 'much'"));
+}
+
+TEST(Provenance, RefusesAFileOfAnotherKind) {
+  const test::Scratch scratch;
+  const std::string path = scratch.file("a.csv", "a,b\n1,2\n");
+  EXPECT_THAT(failure_of(ExitCode::bad_input, [&] { params_of_file(path); }), HasSubstr(path));
+}
+
+}  // namespace
+}  // namespace pupflow::io

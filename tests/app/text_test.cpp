@@ -1,0 +1,57 @@
+#include "app/io/text.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cstdlib>
+#include <limits>
+
+#include "app/io/frame_path.h"
+#include "app/io/nearest.h"
+#include "failing.h"
+
+namespace pupflow::io {
+namespace {
+
+using test::failure_of;
+
+TEST(Text, NumbersReadBackAndAreShort) {
+  for (const double value :
+       {0.1, 1.0 / 3, 1e-300, 123456789.125, -0.0, 5e-324, std::numeric_limits<double>::max()}) {
+    EXPECT_EQ(std::strtod(number_text(value).c_str(), nullptr), value);
+  }
+  EXPECT_EQ(number_text(0.1), "0.1");
+  EXPECT_EQ(number_text(12), "12");
+  EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN()), "nan");
+}
+
+TEST(Nearest, FindsSlipsAndNothingFarOff) {
+  const std::array<std::string_view, 3> names{"alpha", "beta", "arena_radius"};
+  EXPECT_EQ(nearest("alpa", names), "alpha");
+  EXPECT_EQ(nearest("arena_radios", names), "arena_radius");
+  EXPECT_EQ(nearest("zzz", names), "");
+  EXPECT_EQ(nearest("", names), "");
+  EXPECT_EQ(nearest(std::string(10000, 'a'), names), "");
+  EXPECT_EQ(did_you_mean("bet", names), "; did you mean 'beta'?");
+  EXPECT_EQ(did_you_mean("zzz", names), "");
+}
+
+TEST(FramePath, FillsItsOnePlace) {
+  EXPECT_EQ(frame_path("f/%05d.png", 42), "f/00042.png");
+  EXPECT_EQ(frame_path("f%d.png", 42), "f42.png");
+  EXPECT_EQ(frame_path("%02d", 12345), "12345");
+  EXPECT_EQ(frame_path("plain.png", 42), "plain.png");
+  EXPECT_TRUE(has_number("f/%05d.png"));
+  EXPECT_FALSE(has_number("plain.png"));
+}
+
+TEST(FramePath, RefusesAnythingElse) {
+  for (const char* pattern :
+       {"%s.png", "%d%d.png", "%5d.png", "%n", "100%", "%%.png", "%05", "%05d%", "%00d", "%012d"}) {
+    failure_of(ExitCode::bad_input, [&] { has_number(pattern); });
+    failure_of(ExitCode::bad_input, [&] { frame_path(pattern, 1); });
+  }
+}
+
+}  // namespace
+}  // namespace pupflow::io

@@ -1,0 +1,25 @@
+// Where an OpenGL context comes from, behind one small interface.
+#pragma once
+
+#include <string>
+
+namespace pupflow::context {
+
+/// An OpenGL 3.3 core context with its functions loaded. Current on the making thread; destroyed
+/// after everything that was made in it.
+class Context {
+ public:
+  virtual ~Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  virtual void make_current() = 0;
+
+  /// How it came about, e.g. "EGL surfaceless".
+  virtual std::string name() const = 0;
+
+ protected:
+  Context() = default;
+};
+
+}  // namespace pupflow::context

@@ -1,0 +1,85 @@
+#include "app/context/glfw_window.h"
+
+// GLEW declares OpenGL itself and must not meet GLFW's own declarations.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+#include "app/gl/load.h"
+#include "app/io/failure.h"
+
+namespace pupflow::context {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+  const char* reason = nullptr;
+  glfwGetError(&reason);
+  std::string message = what;
+  if (reason != nullptr) message += std::string(" (GLFW: ") + reason + ")";
+  throw io::Failure(io::ExitCode::no_context,
+                    message +
+                        "; a window needs a display (DISPLAY or WAYLAND_DISPLAY) and an "
+                        "OpenGL 3.3 driver (libgl1-mesa-dri)");
+}
+
+}  // namespace
+
+GlfwWindow::GlfwWindow(const WindowOptions& options) {
+  if (glfwInit() != GLFW_TRUE) fail("no window can be opened");
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
+  try {
+    window_ =
+        glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+    if (window_ == nullptr) fail("no window with OpenGL 3.3 can be opened");
+    make_current();
+    gl::load_functions();
+  } catch (...) {
+    glfwTerminate();  // destroys the window too
+    throw;
+  }
+}
+
+GlfwWindow::~GlfwWindow() {
+  glfwTerminate();
+}
+
+void GlfwWindow::make_current() {
+  glfwMakeContextCurrent(window_);
+}
+
+std::string GlfwWindow::name() const {
+  return "GLFW window";
+}
+
+double GlfwWindow::content_scale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return std::max(x, y);
+}
+
+ContextReport probe_window() {
+  ContextReport report;
+  try {
+    WindowOptions options;
+    options.visible = false;
+    const GlfwWindow window(options);
+    report.works = true;
+    report.chosen = window.name();
+    report.renderer = gl::renderer_name();
+    report.version = gl::version_text();
+    report.tried.push_back(window.name() + ": works");
+  } catch (const io::Failure& failure) {
+    report.tried.push_back(std::string("GLFW window: ") + failure.what());
+  }
+  return report;
+}
+
+}  // namespace pupflow::context

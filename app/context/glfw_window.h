@@ -1,0 +1,42 @@
+// A window with OpenGL, by GLFW.
+#pragma once
+
+#include <string>
+
+#include "app/context/context.h"
+#include "app/context/report.h"
+
+struct GLFWwindow;
+
+namespace pupflow::context {
+
+struct WindowOptions {
+  std::string title = "pupflow";
+  int width = 1400, height = 900;  // screen coordinates
+  bool visible = true;
+};
+
+/// Owns GLFW and one window with an OpenGL 3.3 core context. One at a time, on the main thread.
+class GlfwWindow final : public Context {
+ public:
+  /// Opens the window and makes its context current. Throws Failure(no_context) with GLFW's own
+  /// words when there is no display or no OpenGL 3.3.
+  explicit GlfwWindow(const WindowOptions& options);
+  ~GlfwWindow() override;
+
+  void make_current() override;
+  std::string name() const override;
+
+  GLFWwindow* handle() const { return window_; }
+
+  /// Factor by which the display wants text and widgets enlarged (1 on an ordinary screen).
+  double content_scale() const;
+
+ private:
+  GLFWwindow* window_ = nullptr;
+};
+
+/// Whether a window can be had: opens an invisible one and closes it.
+ContextReport probe_window();
+
+}  // namespace pupflow::context

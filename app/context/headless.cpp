@@ -1,0 +1,161 @@
+#include "app/context/headless.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <array>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include "app/gl/load.h"
+#include "app/io/failure.h"
+
+namespace pupflow::context {
+
+namespace {
+
+std::string egl_error() {
+  static constexpr std::array<std::string_view, 15> kNames{
+      "EGL_SUCCESS",       "EGL_NOT_INITIALIZED",     "EGL_BAD_ACCESS",
+      "EGL_BAD_ALLOC",     "EGL_BAD_ATTRIBUTE",       "EGL_BAD_CONFIG",
+      "EGL_BAD_CONTEXT",   "EGL_BAD_CURRENT_SURFACE", "EGL_BAD_DISPLAY",
+      "EGL_BAD_MATCH",     "EGL_BAD_NATIVE_PIXMAP",   "EGL_BAD_NATIVE_WINDOW",
+      "EGL_BAD_PARAMETER", "EGL_BAD_SURFACE",         "EGL_CONTEXT_LOST"};
+  const auto index = static_cast<std::size_t>(eglGetError() - EGL_SUCCESS);
+  return std::string(index < kNames.size() ? kNames[index] : "unknown EGL error");
+}
+
+bool has_extension(EGLDisplay display, std::string_view name) {
+  const char* all = eglQueryString(display, EGL_EXTENSIONS);
+  return all != nullptr &&
+         (" " + std::string(all) + " ").find(" " + std::string(name) + " ") != std::string::npos;
+}
+
+[[noreturn]] void fail(const std::string& what) {
+  throw io::Failure(io::ExitCode::no_context, what);
+}
+
+/// A context without any surface on an EGL display, both owned.
+class EglContext final : public Context {
+ public:
+  /// Throws Failure(no_context) with the step that failed.
+  EglContext(std::string name, EGLDisplay display) : name_(std::move(name)), display_(display) {
+    if (display_ == EGL_NO_DISPLAY) fail("no such display");
+    if (eglInitialize(display_, nullptr, nullptr) != EGL_TRUE) fail(egl_error());
+    try {
+      create();
+    } catch (...) {
+      release();
+      throw;
+    }
+  }
+  ~EglContext() override { release(); }
+
+  void make_current() override {
+    if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE) {
+      fail("cannot make the context current: " + egl_error());
+    }
+  }
+  std::string name() const override { return name_; }
+
+ private:
+  void create() {
+    for (const char* needed : {"EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"}) {
+      if (!has_extension(display_, needed)) fail(std::string("lacks ") + needed);
+    }
+    if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) fail("has no OpenGL: " + egl_error());
+    constexpr EGLint kAttributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                      3,
+                                      EGL_CONTEXT_MINOR_VERSION,
+                                      3,
+                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                      EGL_NONE};
+    context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes);
+    if (context_ == EGL_NO_CONTEXT) fail("no OpenGL 3.3 core: " + egl_error());
+    make_current();
+    gl::load_functions();
+  }
+
+  void release() {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+    eglTerminate(display_);
+    eglReleaseThread();
+  }
+
+  std::string name_;
+  EGLDisplay display_;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+/// One place where a context may be had.
+struct Attempt {
+  std::string name;
+  std::function<EGLDisplay()> open;
+};
+
+std::vector<Attempt> attempts() {
+  const auto get_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+      eglGetProcAddress("eglGetPlatformDisplayEXT"));
+  const auto query_devices =
+      reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+  std::vector<Attempt> list;
+  const auto add_platform = [&](std::string name, EGLenum platform, void* native) {
+    list.push_back({std::move(name), [=] {
+                      return get_display == nullptr ? EGL_NO_DISPLAY
+                                                    : get_display(platform, native, nullptr);
+                    }});
+  };
+  add_platform("EGL surfaceless", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
+  std::array<EGLDeviceEXT, 16> devices{};
+  EGLint count = 0;
+  if (query_devices != nullptr) {
+    query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count);
+  }
+  for (EGLint i = 0; i < count; ++i) {
+    add_platform("EGL device " + std::to_string(i), EGL_PLATFORM_DEVICE_EXT,
+                 devices[static_cast<std::size_t>(i)]);
+  }
+  list.push_back({"EGL default display", [] { return eglGetDisplay(EGL_DEFAULT_DISPLAY); }});
+  return list;
+}
+
+/// The first attempt that works, or nothing; every outcome goes to `report`.
+std::unique_ptr<Context> try_all(ContextReport& report) {
+  for (const Attempt& attempt : attempts()) {
+    try {
+      auto context = std::make_unique<EglContext>(attempt.name, attempt.open());
+      report.works = true;
+      report.chosen = attempt.name;
+      report.renderer = gl::renderer_name();
+      report.version = gl::version_text();
+      report.tried.push_back(attempt.name + ": works");
+      return context;
+    } catch (const io::Failure& failure) {
+      report.tried.push_back(attempt.name + ": " + failure.what());
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::unique_ptr<Context> make_headless(ContextReport& report) {
+  report = {};
+  auto context = try_all(report);
+  if (context != nullptr) return context;
+  std::string tried;
+  for (const std::string& line : report.tried) tried += (tried.empty() ? "" : "; ") + line;
+  fail("no OpenGL 3.3 context could be made without a display; tried " + tried +
+       "; install libegl1 and libgl1-mesa-dri");
+}
+
+ContextReport probe_headless() {
+  ContextReport report;
+  try_all(report);
+  return report;
+}
+
+}  // namespace pupflow::context

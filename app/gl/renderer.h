@@ -1,0 +1,66 @@
+// Draws a list of spheres and its arena with OpenGL 3.3 core. Knows neither window nor EGL: a
+// context must be current whenever a function here runs, the destructors included.
+#pragma once
+
+#include <string>
+
+#include "app/gl/object.h"
+#include "app/gl/program.h"
+#include "app/gl/target.h"
+#include "app/io/png.h"
+#include "app/view/camera.h"
+#include "app/view/draw_list.h"
+
+namespace pupflow::gl {
+
+/// Part of a framebuffer in pixels, from its lower left corner.
+struct Viewport {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Colours of what is no pup.
+struct Palette {
+  view::Rgb background{255, 255, 255};
+  view::Rgb floor{226, 228, 231};
+  view::Rgb rim{150, 154, 160};
+};
+
+class Renderer {
+ public:
+  /// Compiles the embedded shaders, or those in `shader_dir` when it is not empty. Throws
+  /// Failure(bad_file) when a shader file cannot be read and Failure(bad_input) with file name and
+  /// driver's log when it does not compile.
+  explicit Renderer(const std::string& shader_dir = {});
+
+  /// Takes over what to draw; needed only when the list has changed.
+  void upload(const view::DrawList& list);
+
+  /// Draws the uploaded list into `viewport` of the framebuffer that is bound for drawing, with
+  /// `supersample` x `supersample` samples a pixel (1: none). The camera's aspect is the
+  /// viewport's. Leaves that framebuffer bound, depth test and blending off. Throws
+  /// Failure(bad_input) when the samples need a larger texture than the driver allows.
+  void draw(const view::Camera& camera, const Viewport& viewport, int supersample,
+            const Palette& palette = {});
+
+  /// The same into a picture of its own.
+  io::Image picture(const view::Camera& camera, int width, int height, int supersample,
+                    const Palette& palette = {});
+
+ private:
+  void draw_scene(const view::Camera& camera, const Viewport& viewport, const Palette& palette);
+  void draw_plane(const view::CameraMatrices& matrices, float height, float inner_radius,
+                  float outer_radius, view::Rgb colour);
+  void draw_wall(const view::CameraMatrices& matrices, float radius, float bottom, float top,
+                 view::Rgb colour);
+  void draw_spheres(const view::CameraMatrices& matrices);
+
+  Program spheres_program_, plane_program_, wall_program_, resolve_program_;
+  VertexArray spheres_array_, empty_array_;
+  Buffer spheres_buffer_;
+  Target samples_, picture_;
+  GLsizei count_ = 0;
+  float sphere_radius_ = 0, arena_radius_ = 0;
+  view::Bounds bounds_;
+};
+
+}  // namespace pupflow::gl

@@ -1,0 +1,73 @@
+#include "app/gl/target.h"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/io/failure.h"
+
+namespace pupflow::gl {
+
+void Target::resize(int width, int height) {
+  if (width == width_ && height == height_) return;
+  GLint limit = 0, depth_limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &depth_limit);
+  limit = std::min(limit, depth_limit);
+  if (width < 1 || height < 1 || width > limit || height > limit) {
+    throw io::Failure(io::ExitCode::bad_input,
+                      "a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                          " samples is not possible; each side must be in 1 ... " +
+                          std::to_string(limit) + " (pixels times samples across a pixel)");
+  }
+  glBindTexture(GL_TEXTURE_2D, colour_.name());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  bind();
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour_.name(),
+                         0);
+  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                            depth_.name());
+  const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
+  if (status != GL_FRAMEBUFFER_COMPLETE) {
+    throw std::runtime_error("the driver cannot draw into a framebuffer of " +
+                             std::to_string(width) + "x" + std::to_string(height) + " samples");
+  }
+  width_ = width;
+  height_ = height;
+}
+
+void Target::bind() const {
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
+}
+
+void Target::copy_to(GLuint framebuffer, int x, int y) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  glBlitFramebuffer(0, 0, width_, height_, x, y, x + width_, y + height_, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
+}
+
+io::Image Target::read() const {
+  const auto row = 4 * static_cast<std::size_t>(width_);
+  std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(height_));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
+  io::Image image(width_, height_);
+  for (int y = 0; y < height_; ++y) {
+    std::memcpy(image.pixel(0, y), &upside_down[row * static_cast<std::size_t>(height_ - 1 - y)],
+                row);
+  }
+  return image;
+}
+
+}  // namespace pupflow::gl

@@ -1,0 +1,37 @@
+// An off-screen framebuffer: a colour texture and a depth buffer.
+#pragma once
+
+#include "app/gl/object.h"
+#include "app/io/png.h"
+
+namespace pupflow::gl {
+
+class Target {
+ public:
+  /// Makes it at least allocated at this size in pixels; the content is lost when the size changes.
+  /// Throws Failure(bad_input) when the driver allows no such size.
+  void resize(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  GLuint framebuffer() const { return framebuffer_.name(); }
+  GLuint texture() const { return colour_.name(); }
+
+  /// Binds it for drawing.
+  void bind() const;
+
+  /// Copies its colours, pixel by pixel, to (x, y) (lower left) of `framebuffer`, which stays bound
+  /// for drawing.
+  void copy_to(GLuint framebuffer, int x, int y) const;
+
+  /// Its colours as a picture.
+  io::Image read() const;
+
+ private:
+  Framebuffer framebuffer_;
+  Texture colour_;
+  Renderbuffer depth_;
+  int width_ = 0, height_ = 0;
+};
+
+}  // namespace pupflow::gl

@@ -1,0 +1,175 @@
+#include "app/pictures/figure1.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "app/io/atomic_file.h"
+#include "app/io/failure.h"
+#include "app/io/interrupt.h"
+#include "app/io/progress.h"
+#include "app/io/provenance.h"
+#include "app/io/text.h"
+#include "app/pictures/studio.h"
+#include "app/view/canvas.h"
+#include "app/view/color_bar.h"
+#include "app/view/text.h"
+
+namespace pupflow::pictures {
+
+namespace {
+
+constexpr view::Rgb kPaper{255, 255, 255}, kInk{40, 40, 40};
+
+std::vector<Simulation> litters(const Figure1Job& job) {
+  if (job.ta.empty()) throw io::Failure(io::ExitCode::bad_input, "figure1 needs a temperature");
+  std::vector<Simulation> list;
+  for (const double ta : job.ta) {
+    Params params = job.params;
+    params.ta = ta;
+    list.push_back(unobserved_litter(params));
+  }
+  return list;
+}
+
+/// Runs all litters to the end, on as many threads as help.
+class Runs {
+ public:
+  Runs(std::vector<Simulation>& litters, const Figure1Job& job)
+      : litters_(litters),
+        steps_(job.params.steps),
+        threads_(job.threads > 0 ? static_cast<unsigned>(job.threads)
+                                 : std::max(1u, std::thread::hardware_concurrency())),
+        progress_("figure1", steps_ * static_cast<std::int64_t>(litters.size()), job.output.quiet) {
+  }
+
+  /// Throws what the first failing litter (in their order) threw.
+  void run() {
+    failures_.resize(litters_.size());
+    const std::size_t threads = std::min<std::size_t>(threads_, litters_.size());
+    {
+      std::vector<std::jthread> workers;
+      for (std::size_t i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });
+    }
+    for (const std::exception_ptr& failure : failures_) {
+      if (failure) std::rethrow_exception(failure);
+    }
+  }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < litters_.size(); i = next_++) {
+      try {
+        run_one(litters_[i]);
+      } catch (...) {
+        failures_[i] = std::current_exception();
+      }
+    }
+  }
+
+  void run_one(Simulation& litter) {
+    constexpr std::int64_t kAtOnce = 25;
+    while (litter.steps_done() < steps_) {
+      if (io::interrupted()) {
+        throw io::Failure(io::ExitCode::interrupted, "interrupted; no figure was written");
+      }
+      const std::int64_t count = std::min(kAtOnce, steps_ - litter.steps_done());
+      const Status status = litter.run(count);
+      if (!status.ok()) {
+        throw io::Failure(io::ExitCode::bad_numbers,
+                          "ta = " + io::number_text(litter.params().ta) + ": " + status.message());
+      }
+      const std::lock_guard lock(mutex_);
+      done_ += count;
+      progress_.update(done_);
+    }
+  }
+
+  std::vector<Simulation>& litters_;
+  std::int64_t steps_, done_ = 0;
+  unsigned threads_;
+  std::vector<std::exception_ptr> failures_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;  // for done_ and progress_
+  io::Progress progress_;
+};
+
+/// Where everything goes, in pixels.
+struct Layout {
+  int panel, margin, title, columns, rows;
+  double text;
+  view::ColorBarStyle bar_style;
+
+  Layout(int edge, int panels) : panel(edge) {
+    constexpr int kPanelsAcross = 4;
+    rows = (panels + kPanelsAcross - 1) / kPanelsAcross;
+    columns = (panels + rows - 1) / rows;
+    text = std::max(9.0, edge / 18.0);
+    margin = static_cast<int>(std::lround(0.8 * text));
+    title = static_cast<int>(std::lround(1.7 * text));
+    bar_style.text_size = 0.72 * text;
+    bar_style.ink = kInk;
+  }
+
+  int cell_width() const { return panel + margin; }
+  int cell_height() const { return title + panel + margin; }
+  view::Box panel_box(int i) const {
+    return {margin + i % columns * cell_width(), margin + i / columns * cell_height() + title,
+            panel, panel};
+  }
+  int bar_width() const { return static_cast<int>(std::lround(text)); }
+  view::Box bar_box() const {
+    const int inset = panel / 12;
+    return {margin + columns * cell_width() + view::color_bar_margins(bar_style).left,
+            margin + title + inset, bar_width(), (rows - 1) * cell_height() + panel - 2 * inset};
+  }
+  int width() const {
+    const view::Box bar = bar_box();
+    return bar.x + bar.width + view::color_bar_margins(bar_style).right + margin;
+  }
+  int height() const { return margin + rows * cell_height(); }
+};
+
+io::Image compose(const Figure1Job& job, const std::vector<Simulation>& litters, Studio& studio) {
+  const Layout layout(job.panel, static_cast<int>(litters.size()));
+  io::Image figure(layout.width(), layout.height());
+  view::fill(figure, {0, 0, figure.width, figure.height}, kPaper);
+  view::TextPainter text;
+  for (std::size_t i = 0; i < litters.size(); ++i) {
+    const view::Box box = layout.panel_box(static_cast<int>(i));
+    const view::Camera camera = framed_camera("top", litters[i].params(), 1);
+    view::blit(figure, studio.shoot(litters[i], camera, box.width, box.height), box.x, box.y);
+    text.draw(figure, box.x + box.width / 2.0, box.y - 0.45 * layout.text,
+              view::symbol("T", "a") + (" = " + view::tick_label(litters[i].params().ta)),
+              layout.text, kInk, view::Align::centre);
+  }
+  view::draw_color_bar(figure, text, layout.bar_box(), studio.scale(), job.params.tp,
+                       layout.bar_style);
+  return figure;
+}
+
+}  // namespace
+
+void figure1(const Figure1Job& job) {
+  constexpr int kSmallest = 120, kLargest = 4096;
+  if (job.panel < kSmallest || job.panel > kLargest) {
+    throw io::Failure(io::ExitCode::bad_input, "a panel's edge must be 120 ... 4096 pixels, not " +
+                                                   std::to_string(job.panel));
+  }
+  io::refuse_existing(job.output.path, job.output.force);
+  std::vector<Simulation> list = litters(job);
+  Studio studio(job.look);
+  Runs(list, job).run();
+
+  std::string panels;
+  for (const double ta : job.ta) panels += (panels.empty() ? "" : ",") + io::number_text(ta);
+  io::TextEntries extra = look_entries(job.look);
+  extra.insert(extra.begin(), {{"picture", "figure1"}, {"panels_ta", panels}});
+  io::write_png(job.output.path, compose(job, list, studio), io::provenance(job.params, extra),
+                job.output.force);
+}
+
+}  // namespace pupflow::pictures

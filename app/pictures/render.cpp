@@ -1,0 +1,120 @@
+#include "app/pictures/render.h"
+
+#include <filesystem>
+#include <future>
+
+#include "app/io/atomic_file.h"
+#include "app/io/failure.h"
+#include "app/io/frame_path.h"
+#include "app/io/interrupt.h"
+#include "app/io/progress.h"
+#include "app/io/provenance.h"
+#include "app/pictures/frame.h"
+#include "app/pictures/studio.h"
+
+namespace pupflow::pictures {
+
+namespace {
+
+void check_job(const RenderJob& job) {
+  if (job.at.empty() || job.at.front() < 0) {
+    throw io::Failure(io::ExitCode::bad_input, "render needs steps from 0 upwards");
+  }
+  if (job.at.size() > 1 && !io::has_number(job.output.path)) {
+    throw io::Failure(io::ExitCode::bad_input,
+                      job.output.path +
+                          ": several frames need a place for the step in the file "
+                          "name, e.g. %05d.png");
+  }
+}
+
+/// Refuses before any work what could not be written after it. Numbered frames may go to a folder
+/// that is still to be made.
+void check_outputs(const RenderJob& job) {
+  const auto folder =
+      std::filesystem::path(io::frame_path(job.output.path, job.at.front())).parent_path();
+  if (io::has_number(job.output.path) && !folder.empty() && !std::filesystem::exists(folder)) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) {
+      throw io::Failure(io::ExitCode::bad_file,
+                        folder.string() + ": cannot make the folder: " + error.message());
+    }
+  }
+  for (const std::int64_t step : job.at) {
+    io::refuse_existing(io::frame_path(job.output.path, step), job.output.force);
+  }
+}
+
+/// Writes frames one after the other on a thread of its own, while the next one is made.
+class Writer {
+ public:
+  explicit Writer(const RenderJob& job) : job_(job) {}
+
+  /// Throws what writing the frame before threw.
+  void write(std::int64_t step, io::Image image) {
+    finish();
+    pending_ = std::async(std::launch::async, [this, step, frame = std::move(image)] {
+      io::TextEntries extra = look_entries(job_.look);
+      extra.insert(
+          extra.begin(),
+          {{"picture", "render"}, {"step", std::to_string(step)}, {"camera", job_.camera}});
+      io::write_png(io::frame_path(job_.output.path, step), frame,
+                    io::provenance(job_.params, extra), job_.output.force);
+    });
+  }
+
+  void finish() {
+    if (!pending_.valid()) return;
+    pending_.get();
+    ++written_;
+  }
+
+  /// How far it came, for a message.
+  std::string summary() {
+    finish();
+    return std::to_string(written_) + " of " + std::to_string(job_.at.size()) +
+           " frames were written";
+  }
+
+ private:
+  const RenderJob& job_;
+  std::future<void> pending_;
+  std::size_t written_ = 0;
+};
+
+void advance(Simulation& simulation, std::int64_t step, io::Progress& progress, Writer& writer) {
+  while (simulation.steps_done() < step) {
+    if (io::interrupted()) {
+      throw io::Failure(io::ExitCode::interrupted, "interrupted after step " +
+                                                       std::to_string(simulation.steps_done()) +
+                                                       "; " + writer.summary());
+    }
+    const Status status = simulation.step();
+    if (!status.ok()) {
+      throw io::Failure(io::ExitCode::bad_numbers, status.message() + "; " + writer.summary());
+    }
+    progress.update(simulation.steps_done());
+  }
+}
+
+}  // namespace
+
+void render(const RenderJob& job) {
+  check_job(job);
+  Simulation simulation = unobserved_litter(job.params);
+  Frame frame(job.width, job.height, job.bar);
+  const view::Camera camera = framed_camera(job.camera, job.params, frame.scene_aspect());
+  Studio studio(job.look);
+  check_outputs(job);
+  Writer writer(job);
+  io::Progress progress("render", job.at.back(), job.output.quiet);
+  for (const std::int64_t step : job.at) {
+    advance(simulation, step, progress, writer);
+    io::Image scene = studio.shoot(simulation, camera, frame.scene_width(), frame.height());
+    writer.write(step, frame.compose(std::move(scene), studio.scale(), job.params.tp));
+  }
+  writer.finish();
+}
+
+}  // namespace pupflow::pictures

@@ -1,0 +1,69 @@
+#include "app/pictures/studio.h"
+
+#include <iostream>
+
+#include "app/context/headless.h"
+#include "app/io/failure.h"
+#include "app/io/text.h"
+
+namespace pupflow::pictures {
+
+namespace {
+
+constexpr int kMostSamples = 8;
+
+int checked_samples(int supersample) {
+  if (supersample < 1 || supersample > kMostSamples) {
+    throw io::Failure(io::ExitCode::bad_input, "the samples across a pixel must be 1 ... " +
+                                                   std::to_string(kMostSamples) + ", not " +
+                                                   std::to_string(supersample));
+  }
+  return supersample;
+}
+
+}  // namespace
+
+Studio::Studio(const Look& look)
+    : scale_(look.colormap, look.scale_min, look.scale_max),
+      supersample_(checked_samples(look.supersample)) {
+  context::ContextReport report;
+  context_ = context::make_headless(report);
+  if (look.verbose) {
+    for (const std::string& line : report.tried) std::cerr << "OpenGL: " << line << '\n';
+    std::cerr << "OpenGL: " << report.renderer << ", " << report.version << '\n';
+  }
+  renderer_ = std::make_unique<gl::Renderer>(look.shader_dir);
+}
+
+io::Image Studio::shoot(const Simulation& simulation, const view::Camera& camera, int width,
+                        int height) {
+  list_.update(simulation, scale_, camera);
+  renderer_->upload(list_);
+  return renderer_->picture(camera, width, height, supersample_);
+}
+
+Simulation unobserved_litter(const Params& params) {
+  std::string problems;
+  for (const Problem& problem : check(params)) {
+    problems += (problems.empty() ? "" : "; ") + problem.message;
+  }
+  if (!problems.empty()) throw io::Failure(io::ExitCode::bad_input, problems);
+  Simulation simulation(params);
+  simulation.set_observed(false);
+  return simulation;
+}
+
+view::Camera framed_camera(const std::string& spec, const Params& params, double aspect) {
+  view::Camera camera = view::Camera::parse(spec);
+  const double radius = params.arena_radius * (1 + view::kRimWidth);
+  camera.frame(radius, 2 * (params.pup_radius + params.point_radius), aspect);
+  return camera;
+}
+
+io::TextEntries look_entries(const Look& look) {
+  return {{"colormap", look.colormap},
+          {"scale", io::number_text(look.scale_min) + "," + io::number_text(look.scale_max)},
+          {"supersample", std::to_string(look.supersample)}};
+}
+
+}  // namespace pupflow::pictures

@@ -1,0 +1,77 @@
+// From where the arena is looked at. World: z up, the floor at z = 0, the arena's centre at the
+// origin.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+namespace pupflow::view {
+
+/// A box around everything that is drawn, in world units.
+struct Bounds {
+  Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = Eigen::Vector3d::Zero();
+};
+
+/// What the shaders need of a camera.
+struct CameraMatrices {
+  Eigen::Matrix4f eye_from_world;  // eye space: x right, y up, looking along -z
+  Eigen::Matrix4f clip_from_eye;   // OpenGL clip space
+  bool perspective = true;
+};
+
+/// A camera that looks at `target` from azimuth and elevation. Plain value; angles in radians.
+class Camera {
+ public:
+  enum class Projection { perspective, orthographic };
+
+  /// top (orthographic, x to the right and y up), side (orthographic, x to the right and z up) or
+  /// orbit:azimuth,elevation[,distance] (perspective; degrees, counter-clockwise from the x axis
+  /// and up from the floor; distance from the arena's centre in arena units). Without a distance
+  /// the arena fills the picture. Throws Failure(bad_input) for anything else.
+  static Camera parse(const std::string& spec);
+
+  /// Moves along the line of sight, and sideways, until an arena of this radius, with something
+  /// `height` tall on it, fills a picture of that aspect (width / height). Keeps the angles. Does
+  /// nothing when the specification gave a distance.
+  void frame(double arena_radius, double height, double aspect);
+
+  /// Turns around the target, by radians; the elevation stays within +-90 degrees.
+  void orbit(double d_azimuth, double d_elevation);
+
+  /// Moves eye and target so that the scene shifts by these shares of the picture's height,
+  /// positive to the right and up.
+  void pan(double right, double up);
+
+  /// Divides the distance by `factor` (> 1: closer); stays within 0.05 ... 10^6 arena units.
+  void zoom(double factor);
+
+  Projection projection() const { return projection_; }
+  double azimuth() const { return azimuth_; }
+  double elevation() const { return elevation_; }
+  double distance() const { return distance_; }
+  const Eigen::Vector3d& target() const { return target_; }
+
+  /// Unit vectors: to the picture's right, its top, and from the target to the eye.
+  Eigen::Vector3d right() const;
+  Eigen::Vector3d up() const;
+  Eigen::Vector3d backward() const;
+
+  Eigen::Vector3d eye() const { return target_ + distance_ * backward(); }
+
+  /// Half of the picture's height where the target is, in world units; for both projections.
+  double half_height() const;
+
+  /// The matrices for a picture of that aspect, with clip planes just around `bounds`.
+  CameraMatrices matrices(double aspect, const Bounds& bounds) const;
+
+  friend bool operator==(const Camera&, const Camera&) = default;
+
+ private:
+  Projection projection_ = Projection::perspective;
+  double azimuth_ = 0, elevation_ = 0;
+  double distance_ = 10;
+  bool fixed_distance_ = false;
+  Eigen::Vector3d target_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace pupflow::view

@@ -1,0 +1,29 @@
+// Plain drawing into a picture in memory.
+#pragma once
+
+#include "app/io/png.h"
+#include "app/view/colormap.h"
+
+namespace pupflow::view {
+
+/// A rectangle in pixels, from its upper left corner; parts outside a picture are left out.
+struct Box {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Mixes `colour` over the pixel (x, y) with `cover` in 0 ... 1; outside the picture, nothing.
+void blend(io::Image& image, int x, int y, Rgb colour, double cover);
+
+/// Fills `box` with an opaque colour.
+void fill(io::Image& image, const Box& box, Rgb colour);
+
+/// Draws a frame of `width` pixels just inside `box`.
+void frame(io::Image& image, const Box& box, int width, Rgb colour);
+
+/// A line between two places, in pixels from the upper left corner of the picture, anti-aliased.
+void line(io::Image& image, double x0, double y0, double x1, double y1, double width, Rgb colour);
+
+/// Copies `source` with its upper left corner at (x, y).
+void blit(io::Image& image, const io::Image& source, int x, int y);
+
+}  // namespace pupflow::view

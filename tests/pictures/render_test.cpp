@@ -1,0 +1,174 @@
+#include "app/pictures/render.h"
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "app/io/failure.h"
+#include "app/io/interrupt.h"
+#include "app/io/png.h"
+#include "app/io/provenance.h"
+#include "tests/pictures/gl_test.h"
+#include "tests/pictures/temporary_folder.h"
+
+namespace pupflow::pictures {
+namespace {
+
+using ::testing::HasSubstr;
+
+RenderJob small_job(const TemporaryFolder& folder) {
+  RenderJob job;
+  job.at = {0, 20, 40};
+  job.width = 320;
+  job.height = 240;
+  job.output = {folder.file("%04d.png"), false, true};
+  return job;
+}
+
+io::Failure failure_of(const RenderJob& job) {
+  try {
+    render(job);
+  } catch (const io::Failure& failure) {
+    return failure;
+  }
+  return {io::ExitCode::done, ""};
+}
+
+TEST(Render, WritesAFrameForEachStep) {
+  const TemporaryFolder folder;
+  const RenderJob job = small_job(folder);
+  render(job);
+  EXPECT_EQ(folder.entries(), 3);
+  std::vector<std::vector<std::uint8_t>> frames;
+  for (const char* name : {"0000.png", "0020.png", "0040.png"}) {
+    const io::Image image = io::read_png(folder.file(name));
+    EXPECT_EQ(image.width, 320);
+    EXPECT_EQ(image.height, 240);
+    frames.push_back(image.rgba);
+  }
+  EXPECT_NE(frames[0], frames[1]);
+  EXPECT_NE(frames[1], frames[2]);
+}
+
+TEST(Render, AFrameDoesNotDependOnTheFramesBefore) {
+  const TemporaryFolder folder;
+  RenderJob job = small_job(folder);
+  render(job);
+  job.at = {40};
+  job.output.path = folder.file("alone.png");
+  render(job);
+  EXPECT_EQ(io::read_png(folder.file("alone.png")).rgba,
+            io::read_png(folder.file("0040.png")).rgba);
+}
+
+TEST(Render, CarriesParametersAndStep) {
+  const TemporaryFolder folder;
+  RenderJob job = small_job(folder);
+  job.params.seed = 5;
+  job.params.ta = 0.31;
+  job.camera = "orbit:10,20,9";
+  render(job);
+  const auto text = io::read_png_text(folder.file("0020.png"));
+  EXPECT_EQ(io::params_from(text, "frame"), job.params);
+  EXPECT_THAT(text, ::testing::Contains(::testing::Pair("step", "20")));
+  EXPECT_THAT(text, ::testing::Contains(::testing::Pair("camera", "orbit:10,20,9")));
+}
+
+TEST(Render, WithoutTheBarTheArenaGetsAllTheRoom) {
+  const TemporaryFolder folder;
+  RenderJob job = small_job(folder);
+  job.params.pups = 0;
+  job.camera = "top";
+  job.at = {0};
+  job.width = 300;
+  job.height = 300;
+  const auto arena_width = [&](bool bar) {
+    job.bar = bar;
+    job.output.force = true;
+    render(job);
+    const io::Image image = io::read_png(folder.file("0000.png"));
+    int width = 0;
+    while (width < 300 && colour_at(image, width, 150) == view::Rgb{255, 255, 255}) ++width;
+    const int begin = width;
+    while (width < 300 && colour_at(image, width, 150) != view::Rgb{255, 255, 255}) ++width;
+    return width - begin;
+  };
+  EXPECT_NEAR(arena_width(false), 300 / 1.04, 2);
+  EXPECT_LT(arena_width(true), 250);
+}
+
+TEST(Render, MakesTheFolderOfNumberedFrames) {
+  const TemporaryFolder folder;
+  RenderJob job = small_job(folder);
+  job.output.path = folder.file("new/frames/%05d.png");
+  render(job);
+  EXPECT_TRUE(std::filesystem::exists(folder.file("new/frames/00040.png")));
+}
+
+TEST(Render, RefusesBadInputBeforeAnyFrame) {
+  const TemporaryFolder folder;
+  const auto expect_bad = [&](auto change, const char* word) {
+    RenderJob job = small_job(folder);
+    change(job);
+    const io::Failure what = failure_of(job);
+    EXPECT_EQ(what.code(), io::ExitCode::bad_input) << what.what();
+    EXPECT_THAT(what.what(), HasSubstr(word));
+  };
+  expect_bad([](RenderJob& job) { job.camera = "front"; }, "front");
+  expect_bad([](RenderJob& job) { job.look.colormap = "grey"; }, "grey");
+  expect_bad([](RenderJob& job) { job.look.scale_max = -1; }, "scale");
+  expect_bad([](RenderJob& job) { job.look.supersample = 100; }, "100");
+  expect_bad([](RenderJob& job) { job.width = 0; }, "0x240");
+  expect_bad([](RenderJob& job) { job.height = 100000; }, "100000");
+  expect_bad([](RenderJob& job) { job.width = 60; }, "60");
+  expect_bad([](RenderJob& job) { job.at = {}; }, "steps");
+  expect_bad([](RenderJob& job) { job.at = {-1, 3}; }, "steps");
+  expect_bad([&](RenderJob& job) { job.output.path = folder.file("one.png"); }, "%05d");
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(Render, LooksForExistingFramesBeforeTheFirstStep) {
+  const TemporaryFolder folder;
+  RenderJob job = small_job(folder);
+  std::ofstream(folder.file("0040.png")) << "precious";
+  EXPECT_EQ(failure_of(job).code(), io::ExitCode::bad_file);
+  EXPECT_EQ(folder.entries(), 1);
+  job.output.force = true;
+  EXPECT_EQ(failure_of(job).code(), io::ExitCode::done);
+  EXPECT_EQ(folder.entries(), 3);
+}
+
+TEST(Render, BadNumbersKeepTheFramesSoFar) {
+  const TemporaryFolder folder;
+  RenderJob job = small_job(folder);
+  job.params.gravity = 1e308;
+  const io::Failure what = failure_of(job);
+  EXPECT_EQ(what.code(), io::ExitCode::bad_numbers);
+  EXPECT_THAT(what.what(), HasSubstr("1 of 3 frames"));
+  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(io::read_png(folder.file("0000.png")).width, 320);
+}
+
+TEST(Render, AnInterruptKeepsTheFramesSoFar) {
+  GTEST_FLAG_SET(death_test_style, "fast");
+  const TemporaryFolder folder;
+  const RenderJob job = small_job(folder);
+  EXPECT_EXIT(
+      {
+        io::watch_for_interrupt();
+        std::raise(SIGINT);
+        const io::Failure what = failure_of(job);
+        std::cerr << what.what() << std::endl;
+        std::_Exit(static_cast<int>(what.code()));
+      },
+      ::testing::ExitedWithCode(130), "1 of 3 frames");
+  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(io::read_png(folder.file("0000.png")).height, 240);
+}
+
+}  // namespace
+}  // namespace pupflow::pictures

@@ -1,0 +1,68 @@
+// The arena in its part of the window: the camera that the mouse moves, drawing, pictures.
+#pragma once
+
+#include <string>
+
+#include "app/gl/renderer.h"
+#include "app/gl/target.h"
+#include "app/pictures/graphics.h"
+#include "app/view/camera.h"
+#include "app/view/draw_list.h"
+#include "app/window/session.h"
+
+namespace pupflow::window {
+
+/// Draws snapshots. A context must be current whenever a function here runs.
+class ArenaView {
+ public:
+  static constexpr const char* kUsualCamera = "orbit:30,35";
+
+  /// Throws Failure for shaders that cannot be used.
+  explicit ArenaView(const pictures::Look& look);
+
+  /// Looks as `spec` says (see view::Camera::parse), the arena filling the picture.
+  void look_from(const std::string& spec);
+
+  // The mouse: turns by radians, moves by shares of the picture's height, comes nearer by a factor.
+  void orbit(double d_azimuth, double d_elevation);
+  void pan(double right, double up);
+  void zoom(double factor);
+
+  const view::Camera& camera() const { return camera_; }
+
+  /// Draws `snapshot` into a store of its own, `width` x `height` pixels with `samples` x `samples`
+  /// samples each, unless it is drawn there already. `fresh` says that the snapshot is another one
+  /// than last time. Returns whether anything was drawn.
+  bool draw(const Snapshot& snapshot, bool fresh, const pictures::Look& look, int width, int height,
+            int samples);
+
+  /// Copies what was drawn to (x, y) (lower left) of the window.
+  void show(int x, int y) const { store_.copy_to(0, x, y); }
+
+  /// Writes the picture that `pupflow render` would make from here, in its usual size, with the
+  /// colour bar and all that is needed to make it again. Overwrites nothing. Throws Failure.
+  void write_picture(const std::string& path, const Snapshot& snapshot, const pictures::Look& look);
+
+ private:
+  void load(const Snapshot& snapshot, const pictures::Look& look, const view::Camera& camera);
+  view::Camera framed(const Snapshot& snapshot, double aspect) const;
+
+  gl::Renderer renderer_;
+  gl::Target store_;
+  view::DrawList list_;
+  std::string spec_ = kUsualCamera;  // what the camera is while nobody has moved it
+  view::Camera camera_;
+  bool moved_ = false;
+
+  // What the store shows.
+  view::Camera drawn_camera_;
+  std::string drawn_map_;
+  int drawn_samples_ = 0;
+};
+
+/// Where the next picture goes: `pattern` (with %d or %05d for the step; empty: pupflow-%05d.png)
+/// with the step filled in, and -2, -3 ... added before the ending until no such file exists.
+/// Throws Failure(bad_input) for a bad pattern.
+std::string picture_path(const std::string& pattern, std::int64_t step);
+
+}  // namespace pupflow::window

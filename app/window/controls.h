@@ -1,0 +1,41 @@
+// What the panels and keys act on.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/pictures/graphics.h"
+#include "app/window/key_map.h"
+#include "app/window/session.h"
+
+namespace pupflow::window {
+
+/// The window's own state beside the simulation's, and what was asked for since the last frame.
+struct Controls {
+  Params params;         // the window's copy: always sound, sent whole with every edit
+  double speed = 1;      // times real time, unless
+  bool as_fast = false;  // as fast as possible
+  pictures::Look look;
+  std::optional<std::int64_t> typed_seed;  // while it is being typed
+  bool panels = true;
+  bool help = false;
+  std::string problem;  // why the last value was not taken; empty when it was
+
+  std::vector<Command> commands;  // for the runner
+  std::vector<Action> actions;    // as if their keys had been pressed
+
+  /// Makes `candidate` the parameters and asks the runner to take them, if it is sound; otherwise
+  /// says why in `problem`.
+  void propose(const Params& candidate);
+
+  /// The slider range of `speed`.
+  static constexpr double kSlowest = 1.0 / 16, kFastest = 64;
+
+  /// Asks for this speed, kept within kSlowest ... kFastest.
+  void set_speed(double factor);
+  void set_as_fast(bool on);
+};
+
+}  // namespace pupflow::window

@@ -1,0 +1,93 @@
+#include "app/window/key_map.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace pupflow::window {
+namespace {
+
+constexpr std::array kKeys{
+    KeyRow{Action::play_pause, {GLFW_KEY_SPACE}, false, false, "Space", "play or pause"},
+    KeyRow{Action::step_many,
+           {GLFW_KEY_RIGHT, GLFW_KEY_N},
+           true,
+           true,
+           "Shift + Right, N",
+           "pause and make 100 steps"},
+    KeyRow{Action::step,
+           {GLFW_KEY_RIGHT, GLFW_KEY_N},
+           false,
+           true,
+           "Right, N",
+           "pause and make one step"},
+    KeyRow{Action::restart, {GLFW_KEY_R}, false, false, "R", "start again with the same seed"},
+    KeyRow{Action::new_seed, {GLFW_KEY_R}, true, false, "Shift + R", "start again with a new seed"},
+    KeyRow{Action::faster, {'+', GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD}, false, true, "+", "faster"},
+    KeyRow{Action::slower, {'-', GLFW_KEY_KP_SUBTRACT}, false, true, "-", "slower"},
+    KeyRow{Action::real_time, {GLFW_KEY_1, GLFW_KEY_KP_1}, false, false, "1", "real time"},
+    KeyRow{Action::as_fast_as_possible, {GLFW_KEY_F}, false, false, "F", "as fast as possible"},
+    KeyRow{Action::reset_camera,
+           {GLFW_KEY_HOME, GLFW_KEY_C},
+           false,
+           false,
+           "Home, C",
+           "reset the view"},
+    KeyRow{Action::top_view, {GLFW_KEY_T}, false, false, "T", "look from above"},
+    KeyRow{Action::side_view, {GLFW_KEY_Y}, false, false, "Y", "look from the side"},
+    KeyRow{Action::screenshot,
+           {GLFW_KEY_S, GLFW_KEY_F12},
+           false,
+           false,
+           "S, F12",
+           "save a picture (PNG, with all parameters in it)"},
+    KeyRow{Action::toggle_panels, {GLFW_KEY_H}, false, false, "H", "hide or show the panels"},
+    KeyRow{Action::toggle_help, {GLFW_KEY_F1}, false, false, "F1", "open or close this help"},
+    KeyRow{Action::quit,
+           {GLFW_KEY_ESCAPE, GLFW_KEY_Q},
+           false,
+           false,
+           "Esc, Q",
+           "close this help, or quit"},
+};
+
+constexpr std::array kMouse{
+    MouseRow{"Left drag", "turn the view"},
+    MouseRow{"Right or middle drag, Shift + left drag", "move the view"},
+    MouseRow{"Wheel", "nearer or further"},
+    MouseRow{"Ctrl + click on a slider", "type a number, also one beyond the slider's ends"},
+};
+
+}  // namespace
+
+std::span<const KeyRow> key_table() {
+  return kKeys;
+}
+
+std::span<const MouseRow> mouse_table() {
+  return kMouse;
+}
+
+std::optional<Action> action_for(int key, int mods, bool repeated) {
+  if (key == 0 || (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) return {};
+  const auto row_with = [&](bool shift) {
+    return std::find_if(kKeys.begin(), kKeys.end(), [&](const KeyRow& row) {
+      return row.shift == shift && std::count(row.keys.begin(), row.keys.end(), key) > 0;
+    });
+  };
+  auto row = kKeys.end();
+  if ((mods & GLFW_MOD_SHIFT) != 0) row = row_with(true);
+  if (row == kKeys.end()) row = row_with(false);
+  if (row == kKeys.end() || (repeated && !row->repeats)) return {};
+  return row->action;
+}
+
+int layout_key(int key, int scancode) {
+  const char* name = glfwGetKeyName(key, scancode);
+  if (name == nullptr || name[0] == '\0' || name[1] != '\0') return key;
+  return std::toupper(static_cast<unsigned char>(name[0]));
+}
+
+}  // namespace pupflow::window

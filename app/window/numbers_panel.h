@@ -1,0 +1,14 @@
+// The observables: as numbers, and as plots of the recent past.
+#pragma once
+
+#include "app/window/session.h"
+#include "app/window/test_events.h"
+#include "app/window/theme.h"
+
+namespace pupflow::window {
+
+/// Draws both parts into the current Dear ImGui window. True when one of them is open: somebody
+/// looks at the observables.
+bool draw_numbers_panel(const Snapshot& snapshot, const Fonts& fonts, TestEvents& events);
+
+}  // namespace pupflow::window

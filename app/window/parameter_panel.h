@@ -1,0 +1,37 @@
+// Sliders, combos and tooltips for the rows of the parameter table.
+#pragma once
+
+#include <optional>
+
+#include "app/window/controls.h"
+#include "app/window/test_events.h"
+#include "app/window/theme.h"
+#include "engine/params.h"
+
+namespace pupflow::window {
+
+/// Draws the table's rows into the current Dear ImGui window. Values that act on the next step are
+/// proposed while a slider moves; those that restart the litter, and typed ones, when they are
+/// done.
+class ParameterPanel {
+ public:
+  /// T_a, rigidity and deformation.
+  void draw_top(Controls& controls, const Fonts& fonts, TestEvents& events);
+
+  /// All the others that matter in a window, under their groups' headings.
+  void draw_groups(Controls& controls, const Fonts& fonts, TestEvents& events);
+
+ private:
+  struct Draft {  // a value being dragged or typed, not all of it proposed yet
+    const Parameter* parameter;
+    double value;
+  };
+
+  void row(const Parameter& parameter, Controls& controls, const Fonts& fonts, TestEvents& events);
+  void number(const Parameter& parameter, Controls& controls);
+  bool slider(const Parameter& parameter, double& value) const;
+
+  std::optional<Draft> draft_;
+};
+
+}  // namespace pupflow::window

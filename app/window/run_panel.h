@@ -1,0 +1,18 @@
+// Play, pause, step, restart; speed; seed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/window/controls.h"
+#include "app/window/test_events.h"
+
+namespace pupflow::window {
+
+/// A seed that nobody chose.
+std::int64_t new_seed();
+
+/// Draws the buttons, the clock, speed and seed into the current Dear ImGui window.
+void draw_run_panel(const Snapshot& snapshot, Controls& controls, TestEvents& events);
+
+}  // namespace pupflow::window

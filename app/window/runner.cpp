@@ -1,0 +1,151 @@
+#include "app/window/runner.h"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace pupflow::window {
+namespace {
+
+constexpr double kMeasureOver = 0.5;  // seconds over which speed is measured
+
+using Clock = std::chrono::steady_clock;
+
+double seconds() {
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+Clock::time_point time_point(double seconds_since_epoch) {
+  return Clock::time_point(std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(seconds_since_epoch)));
+}
+
+}  // namespace
+
+Runner::Runner(Options options)
+    : options_(std::move(options)),
+      session_(options_.params, options_.playing),
+      thread_([this] { loop(); }) {}
+
+Runner::~Runner() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  changed_.notify_one();
+  thread_.join();
+}
+
+void Runner::send(Command command) {
+  {
+    const std::lock_guard lock(mutex_);
+    const bool replaces = std::holds_alternative<Edit>(command) && !queue_.empty() &&
+                          std::holds_alternative<Edit>(queue_.back());
+    if (replaces) {
+      queue_.back() = std::move(command);
+    } else {
+      queue_.push_back(std::move(command));
+    }
+  }
+  changed_.notify_one();
+}
+
+void Runner::request() {
+  {
+    const std::lock_guard lock(mutex_);
+    requested_ = true;
+  }
+  changed_.notify_one();
+}
+
+bool Runner::take() {
+  const std::lock_guard lock(mutex_);
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+  if (!fresh_) return false;
+  fresh_ = false;
+  std::swap(front_, middle_);
+  return true;
+}
+
+void Runner::loop() {
+  try {
+    std::vector<Command> commands;
+    while (idle_until_work(commands)) {
+      if (!commands.empty()) obey(commands);
+      const double now = seconds();
+      if (session_.hurried() || (session_.running() && pacer_.due(now))) step(now);
+      measure(seconds());
+      publish();
+    }
+  } catch (...) {
+    {
+      const std::lock_guard lock(mutex_);
+      failure_ = std::current_exception();
+    }
+    if (options_.notify) options_.notify();
+  }
+}
+
+/// Sleeps until there is a command, a due step or a snapshot to hand out, and takes the commands.
+/// False when the thread is to end.
+bool Runner::idle_until_work(std::vector<Command>& commands) {
+  std::unique_lock lock(mutex_);
+  const auto called = [&] {
+    return stop_ || !queue_.empty() || (requested_ && session_.changed());
+  };
+  if (session_.hurried()) {
+    // no rest before a step that was asked for
+  } else if (session_.running()) {
+    if (!pacer_.due(seconds())) changed_.wait_until(lock, time_point(pacer_.next()), called);
+  } else {
+    changed_.wait(lock, called);
+  }
+  std::swap(commands, queue_);
+  return !stop_;
+}
+
+void Runner::obey(std::vector<Command>& commands) {
+  const bool rested = resting();
+  for (const Command& command : commands) session_.apply(command);
+  commands.clear();
+  const double now = seconds();
+  pacer_.reschedule(now, step_interval(session_.params().dt, session_.speed()));
+  if (rested) measured_from_ = now;
+}
+
+void Runner::step(double now) {
+  pacer_.stepped(now, step_interval(session_.params().dt, session_.speed()));
+  session_.step();
+  stepping_ += seconds() - now;
+  ++measured_steps_;
+}
+
+void Runner::measure(double now) {
+  const double elapsed = now - measured_from_;
+  if (!resting() && elapsed < kMeasureOver) return;
+  if (measured_steps_ > 0) microseconds_per_step_ = 1e6 * stepping_ / measured_steps_;
+  steps_per_second_ = resting() ? 0 : measured_steps_ / elapsed;
+  measured_from_ = now;
+  stepping_ = 0;
+  measured_steps_ = 0;
+}
+
+void Runner::publish() {
+  if (!session_.changed()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!requested_) return;
+    requested_ = false;
+  }
+  session_.fill(*back_, options_.hashed);
+  back_->steps_per_second = steps_per_second_;
+  back_->microseconds_per_step = microseconds_per_step_;
+  {
+    const std::lock_guard lock(mutex_);
+    std::swap(back_, middle_);
+    fresh_ = true;
+  }
+  if (options_.notify) options_.notify();
+}
+
+}  // namespace pupflow::window

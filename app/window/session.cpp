@@ -1,0 +1,121 @@
+#include "app/window/session.h"
+
+#include <new>
+#include <type_traits>
+
+namespace pupflow::window {
+
+Session::Session(const Params& params, bool playing) : simulation_(params), playing_(playing) {
+  simulation_.set_observed(false);
+}
+
+void Session::apply(const Command& command) {
+  changed_ = true;
+  std::visit(
+      [this](const auto& asked) {
+        using Asked = std::remove_cvref_t<decltype(asked)>;
+        if constexpr (std::is_same_v<Asked, PlayPause>) {
+          playing_ = !playing_ && simulation_.status().ok();
+          pending_ = 0;
+        } else if constexpr (std::is_same_v<Asked, Advance>) {
+          playing_ = false;
+          if (simulation_.status().ok()) pending_ += asked.steps;
+        } else if constexpr (std::is_same_v<Asked, Speed>) {
+          speed_ = asked.factor;
+        } else if constexpr (std::is_same_v<Asked, Edit>) {
+          edit(asked.params);
+        } else if constexpr (std::is_same_v<Asked, Restart>) {
+          restart(simulation_.params());
+        } else if constexpr (std::is_same_v<Asked, Observe>) {
+          observe(asked.on);
+        } else {
+          static_assert(std::is_same_v<Asked, Suspend>);
+          suspended_ = asked.on;
+        }
+      },
+      command);
+}
+
+void Session::edit(const Params& params) {
+  rejected_.clear();
+  const std::vector<Problem> problems = check(params);
+  if (!problems.empty()) {
+    rejected_ = problems.front().message;
+  } else if (needs_restart(simulation_.params(), params)) {
+    restart(params);
+  } else if (params != simulation_.params()) {
+    simulation_.set_params(params);
+    edited_at_ = simulation_.steps_done();
+  }
+}
+
+void Session::restart(const Params& params) {
+  try {
+    simulation_ = Simulation(params);
+  } catch (const std::bad_alloc&) {
+    rejected_ = "not enough memory for " + std::to_string(params.pups) + " pups of " +
+                std::to_string(points_per_pup(params)) + " points; fewer of either would fit";
+    return;
+  }
+  pending_ = 0;
+  edited_at_ = 0;
+  simulation_.set_observed(observed_);
+  look_anew();
+}
+
+void Session::observe(bool on) {
+  if (on == observed_) return;
+  observed_ = on;
+  simulation_.set_observed(on);
+  look_anew();
+}
+
+// While nobody looked, contacts may not have been recorded: an observer that compares steps must
+// see one step first, unless the litter is still untouched.
+void Session::look_anew() {
+  history_.clear();
+  observables_.reset();
+  observer_.reset();
+  if (observed_ && simulation_.steps_done() == 0) observer_.emplace(simulation_);
+}
+
+void Session::step() {
+  changed_ = true;
+  if (pending_ > 0) --pending_;
+  if (!simulation_.step().ok()) {
+    playing_ = false;
+    pending_ = 0;
+    return;
+  }
+  if (!observed_) return;
+  if (!observer_) {
+    observer_.emplace(simulation_);
+    return;
+  }
+  observables_ = observer_->observe(simulation_);
+  history_.add(simulation_.time(), *observables_);
+}
+
+void Session::fill(Snapshot& snapshot, bool with_hash) {
+  changed_ = false;
+  snapshot.params = simulation_.params();
+  snapshot.pups = simulation_.pups();
+  snapshot.points = simulation_.points();
+  snapshot.positions.resize(std::size_t{3} * snapshot.pups * snapshot.points);
+  simulation_.copy_positions(std::span<float>(snapshot.positions));
+  const auto temperatures = simulation_.body_temperature();
+  snapshot.body_temperature.assign(temperatures.begin(), temperatures.end());
+  snapshot.observables = observables_;
+  snapshot.history = history_;
+  snapshot.step = simulation_.steps_done();
+  snapshot.edited_at = edited_at_;
+  snapshot.time = simulation_.time();
+  snapshot.status = simulation_.status();
+  snapshot.playing = playing_;
+  snapshot.speed = speed_;
+  snapshot.rejected = rejected_;
+  snapshot.hash.reset();
+  if (with_hash) snapshot.hash = simulation_.hash();
+}
+
+}  // namespace pupflow::window

@@ -1,0 +1,98 @@
+// One litter under the window's commands: what happens between and in its steps, without threads
+// and clocks.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/window/history.h"
+#include "engine/metrics.h"
+#include "engine/simulation.h"
+
+namespace pupflow::window {
+
+// What the window may ask for. Each is carried out between two steps.
+struct PlayPause {};
+struct Advance {  // pause, then so many steps without regard to speed
+  std::int64_t steps;
+};
+struct Speed {  // times real time; infinite: as fast as possible
+  double factor;
+};
+struct Edit {  // a whole parameter set; a new litter when one that defines it differs
+  Params params;
+};
+struct Restart {};  // the same litter from t = 0
+struct Observe {    // whether anybody looks at the observables
+  bool on;
+};
+struct Suspend {  // nobody looks at all: no steps until further notice
+  bool on;
+};
+using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Observe, Suspend>;
+
+/// The litter as the window shows it.
+struct Snapshot {
+  Params params;
+  int pups = 0, points = 0;      // points per pup
+  std::vector<float> positions;  // x0 y0 z0 x1 ... of all points, pup by pup
+  std::vector<double> body_temperature;
+  std::optional<Observables> observables;  // of the last step, when observed
+  History history;
+  std::int64_t step = 0;
+  std::int64_t edited_at = 0;  // the step after which parameters were last changed; 0: never
+  double time = 0;             // model seconds
+  Status status;
+  bool playing = false;
+  double speed = 1;                  // as asked for
+  double steps_per_second = 0;       // as measured; 0 while at rest
+  double microseconds_per_step = 0;  // as measured
+  std::string rejected;              // why the last edit was not taken; empty when it was
+  std::optional<std::uint64_t> hash;
+};
+
+/// Not thread-safe.
+class Session {
+ public:
+  /// Throws InvalidParams.
+  Session(const Params& params, bool playing);
+
+  void apply(const Command& command);
+
+  /// Whether a step is wanted: now, whatever the clock says (`hurried`), or as the speed says.
+  bool hurried() const { return !suspended_ && pending_ > 0; }
+  bool running() const { return !suspended_ && playing_; }
+  double speed() const { return speed_; }
+  const Params& params() const { return simulation_.params(); }
+
+  /// Takes one step. A bad status ends playing.
+  void step();
+
+  /// Whether anything that a snapshot holds changed since the last `fill`.
+  bool changed() const { return changed_; }
+
+  /// Writes the state into `snapshot` (what is measured by the clock is left as it is). With
+  /// `with_hash` the simulation's hash too.
+  void fill(Snapshot& snapshot, bool with_hash);
+
+ private:
+  void edit(const Params& params);
+  void restart(const Params& params);
+  void observe(bool on);
+  void look_anew();
+
+  Simulation simulation_;
+  std::optional<Observer> observer_;  // none while nobody looks, and before its first step
+  std::optional<Observables> observables_;
+  History history_;
+  bool observed_ = false, suspended_ = false, playing_, changed_ = true;
+  std::int64_t edited_at_ = 0;
+  std::int64_t pending_ = 0;  // steps still to be made by Advance
+  double speed_ = 1;
+  std::string rejected_;
+};
+
+}  // namespace pupflow::window

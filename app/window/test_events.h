@@ -1,0 +1,55 @@
+// Lines on standard output for tests that work the window from outside.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/view/camera.h"
+#include "app/window/session.h"
+
+namespace pupflow::window {
+
+/// Prints, when switched on, one line for each event:
+///   widget NAME X Y W H   where a widget is (window coordinates), when it appears or moves
+///   value NAME VALUE      a parameter as the simulation has taken it, when it changes
+///   state playing|paused
+///   step N                at rest after every change, else now and then
+///   hash N H              at rest: the simulation's hash after step N
+///   bad MESSAGE           the status, when it is bad
+///   text on|off           whether a text field has the keyboard
+///   help shown|hidden, camera AZIMUTH ELEVATION DISTANCE, screenshot PATH
+class TestEvents {
+ public:
+  explicit TestEvents(bool on) : on_(on) {}
+  bool on() const { return on_; }
+
+  /// The Dear ImGui item just submitted, if any of it can be seen.
+  void widget(std::string_view name);
+
+  void snapshot(const Snapshot& snapshot);
+  void help(bool shown);
+  void text(bool has_keyboard);
+  void camera(const view::Camera& camera);
+  void screenshot(const std::string& path);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void say(const std::string& line) const;
+
+  bool on_;
+  std::map<std::string, std::array<int, 4>, std::less<>> widgets_;
+  std::optional<Params> params_;
+  std::optional<bool> playing_, help_, text_;
+  std::optional<view::Camera> camera_;
+  std::int64_t step_ = -1;
+  std::optional<std::uint64_t> hash_;
+  Clock::time_point step_said_{};
+  bool bad_ = false;
+};
+
+}  // namespace pupflow::window

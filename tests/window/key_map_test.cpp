@@ -1,0 +1,80 @@
+#include "app/window/key_map.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <gmock/gmock.h>
+
+#include <cctype>
+#include <set>
+#include <string>
+#include <tuple>
+
+namespace pupflow::window {
+namespace {
+
+constexpr int kLast = static_cast<int>(Action::quit);
+
+TEST(KeyMap, EveryKeyOfTheTableDoesWhatItsRowSays) {
+  for (const KeyRow& row : key_table()) {
+    for (const int key : row.keys) {
+      if (key == 0) continue;
+      EXPECT_EQ(action_for(key, row.shift ? GLFW_MOD_SHIFT : 0, false), row.action) << row.text;
+    }
+  }
+}
+
+TEST(KeyMap, EveryActionHasAKeyAndNoKeyTwoActions) {
+  std::set<int> actions;
+  std::set<std::tuple<int, bool>> strokes;
+  for (const KeyRow& row : key_table()) {
+    actions.insert(static_cast<int>(row.action));
+    for (const int key : row.keys) {
+      if (key == 0) continue;
+      EXPECT_TRUE(strokes.insert({key, row.shift}).second) << row.text;
+    }
+  }
+  EXPECT_EQ(actions.size(), static_cast<std::size_t>(kLast + 1));
+}
+
+TEST(KeyMap, TheHelpNamesTheLettersThatWork) {
+  for (const KeyRow& row : key_table()) {
+    EXPECT_NE(std::string(row.doc), "");
+    for (const int key : row.keys) {
+      if (key < 128 && std::isalpha(key) != 0) {
+        EXPECT_THAT(row.text, testing::HasSubstr(std::string(1, static_cast<char>(key))));
+      }
+    }
+  }
+}
+
+TEST(KeyMap, TheWellKnownKeys) {
+  EXPECT_EQ(action_for(GLFW_KEY_SPACE, 0, false), Action::play_pause);
+  EXPECT_EQ(action_for(GLFW_KEY_RIGHT, 0, false), Action::step);
+  EXPECT_EQ(action_for(GLFW_KEY_R, 0, false), Action::restart);
+  EXPECT_EQ(action_for(GLFW_KEY_F12, 0, false), Action::screenshot);
+  EXPECT_EQ(action_for(GLFW_KEY_F1, 0, false), Action::toggle_help);
+  EXPECT_EQ(action_for(GLFW_KEY_ESCAPE, 0, false), Action::quit);
+}
+
+TEST(KeyMap, ShiftChoosesItsOwnRowAndIsOtherwiseIgnored) {
+  EXPECT_EQ(action_for(GLFW_KEY_N, GLFW_MOD_SHIFT, false), Action::step_many);
+  EXPECT_EQ(action_for(GLFW_KEY_EQUAL, GLFW_MOD_SHIFT, false), Action::faster);
+  EXPECT_EQ(action_for(GLFW_KEY_S, GLFW_MOD_SHIFT, false), Action::screenshot);
+}
+
+TEST(KeyMap, OtherModifiersAndOtherKeysDoNothing) {
+  for (const int mod : {GLFW_MOD_CONTROL, GLFW_MOD_ALT, GLFW_MOD_SUPER}) {
+    EXPECT_FALSE(action_for(GLFW_KEY_Q, mod, false));
+  }
+  EXPECT_FALSE(action_for(GLFW_KEY_F7, 0, false));
+  EXPECT_FALSE(action_for(0, 0, false));
+}
+
+TEST(KeyMap, AHeldKeyRepeatsOnlyWhereThatHelps) {
+  EXPECT_EQ(action_for(GLFW_KEY_RIGHT, 0, true), Action::step);
+  EXPECT_FALSE(action_for(GLFW_KEY_SPACE, 0, true));
+  EXPECT_FALSE(action_for(GLFW_KEY_S, 0, true));
+}
+
+}  // namespace
+}  // namespace pupflow::window

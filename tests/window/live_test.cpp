@@ -1,0 +1,317 @@
+// `pupflow live` as somebody at the screen meets it. The window says on standard output what
+// happens in it (--test-events); whoever waits here waits for such a line.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "app/io/png.h"
+#include "app/io/provenance.h"
+#include "engine/simulation.h"
+#include "tests/window/child.h"
+#include "tests/window/screen.h"
+
+namespace pupflow::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+struct Box {
+  int x = 0, y = 0, width = 0, height = 0;
+  int middle_x() const { return x + width / 2; }
+  int middle_y() const { return y + height / 2; }
+};
+
+/// What `hash` lines say, from a simulation without any window.
+std::string headless_hash(const Params& params, std::int64_t steps) {
+  Simulation simulation(params);
+  simulation.set_observed(false);
+  simulation.run(steps);
+  std::ostringstream text;
+  text << std::hex << simulation.hash();
+  return text.str();
+}
+
+class Live : public ::testing::Test {
+ protected:
+  Live() {
+    std::string name = ::testing::TempDir() + "pupflow-live-XXXXXX";
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder at " + name);
+    folder_ = name;
+  }
+  ~Live() override {
+    window_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+
+  /// Opens the window and waits until it stands.
+  void open(std::vector<std::string> options = {}) {
+    std::vector<std::string> arguments{PUPFLOW_PROGRAM, "live", "--test-events"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    window_ = std::make_unique<Child>(ChildOptions{
+        .arguments = arguments, .environment = screen_.environment(), .folder = folder_.string()});
+    await("camera ");  // printed with the first frame, after the widgets
+  }
+
+  /// The rest of the next line that starts with `start`. Fails the test when none comes.
+  std::string await(const std::string& start) {
+    const auto give_up = std::chrono::steady_clock::now() + Child::kPatience;
+    while (std::chrono::steady_clock::now() < give_up) {
+      const auto line = window_->read_line();
+      if (!line) break;
+      remember(*line);
+      if (line->starts_with(start)) return line->substr(start.size());
+    }
+    ADD_FAILURE() << "'" << start << "' never came; " << window_->errors();
+    throw std::runtime_error("not what was waited for");
+  }
+
+  Box widget(const std::string& name) {
+    if (widgets_.count(name) == 0) await("widget " + name + ' ');
+    return widgets_.at(name);
+  }
+
+  void click(const std::string& name) {
+    const Box box = widget(name);
+    screen_.click(box.middle_x(), box.middle_y());
+  }
+
+  /// Types a number into a slider as its help says: Ctrl + click, number, Enter.
+  void type_into_slider(const std::string& name, const std::string& text) {
+    screen_.hand({"keydown", "Control_L"});
+    click(name);
+    await("text on");
+    screen_.hand({"keyup", "Control_L"});
+    type(text);
+  }
+
+  /// Replaces what the field with the keyboard holds.
+  void type(const std::string& text) {
+    screen_.hand({"sleep", "0.1", "key", "ctrl+a", "sleep", "0.1", "type", "--delay", "60", text});
+    screen_.hand({"sleep", "0.1", "key", "Return"});
+    await("text off");
+  }
+
+  int exit_code() { return window_->wait().value_or(-1); }
+
+  Screen screen_;
+  std::filesystem::path folder_;
+  std::unique_ptr<Child> window_;
+
+ private:
+  void remember(const std::string& line) {
+    std::istringstream words(line);
+    std::string kind, name;
+    Box box;
+    if (words >> kind && kind == "widget" &&
+        words >> name >> box.x >> box.y >> box.width >> box.height) {
+      widgets_[name] = box;
+    }
+  }
+
+  std::map<std::string, Box> widgets_;
+};
+
+TEST_F(Live, PlaysAtOnceAndClosesByKey) {
+  open();
+  EXPECT_GT(std::stoll(await("step ")), 0);
+  screen_.press("q");
+  EXPECT_EQ(exit_code(), 0);
+  EXPECT_EQ(window_->errors(), "");
+}
+
+TEST_F(Live, ADraggedSliderChangesTaInTheRunningSimulation) {
+  open({"--set", "ta=0.4"});
+  const std::int64_t before = std::stoll(await("step "));
+  const Box box = widget("ta");
+  screen_.press_and_move(box.x + 2 * box.width / 5, box.middle_y(), box.x + 3 * box.width / 4,
+                         box.middle_y());
+  double ta = 0.4;
+  while (ta < 0.7) ta = std::stod(await("value ta "));
+  screen_.release();
+  EXPECT_NEAR(ta, 0.75, 0.05);
+  EXPECT_GT(std::stoll(await("step ")), before) << "the run went on, without a restart";
+}
+
+TEST_F(Live, SpaceStopsAndStartsTheSteps) {
+  open();
+  await("step ");
+  screen_.press("space");
+  EXPECT_EQ(await("state "), "paused");
+  const std::int64_t paused_at = std::stoll(await("step "));
+  screen_.press("Right");
+  EXPECT_EQ(std::stoll(await("step ")), paused_at + 1) << "a single step, and none before it";
+  screen_.press("space");
+  EXPECT_EQ(await("state "), "playing");
+  EXPECT_GT(std::stoll(await("step ")), paused_at + 1);
+}
+
+TEST_F(Live, ThePictureCarriesTheEditedParameters) {
+  open({"--paused", "--seed", "9", "--out", "shot-%03d.png"});
+  screen_.press("Right");
+  await("hash 1 ");
+  type_into_slider("ta", "0.2345");
+  EXPECT_EQ(await("value ta "), "0.2345");
+  screen_.press("s");
+  EXPECT_EQ(await("screenshot "), "shot-001.png");
+  screen_.press("F12");
+  EXPECT_EQ(await("screenshot "), "shot-001-2.png");
+
+  const std::string path = (folder_ / "shot-001.png").string();
+  Params expected;
+  expected.seed = 9;
+  expected.ta = 0.2345;
+  EXPECT_EQ(io::params_of_file(path), expected);
+  const io::TextEntries text = io::read_png_text(path);
+  EXPECT_THAT(text, ::testing::Contains(::testing::Pair("step", "1")));
+  EXPECT_THAT(text, ::testing::Contains(::testing::Pair("edited", HasSubstr("step 1"))));
+  const io::Image image = io::read_png(path);
+  EXPECT_EQ(image.width, 1280);
+  EXPECT_EQ(image.height, 960);
+}
+
+TEST_F(Live, ThePictureIsTheOneThatRenderMakes) {
+  open({"--paused", "--seed", "4", "--out", "live.png"});
+  screen_.press("shift+Right");
+  await("hash 100 ");
+  screen_.press("s");
+  await("screenshot ");
+  ASSERT_EQ(run_command({.arguments = {PUPFLOW_PROGRAM, "render", "--seed", "4", "--at", "100",
+                                       "--out", "render.png", "--quiet"},
+                         .environment = screen_.environment(),
+                         .folder = folder_.string()}),
+            0);
+  const io::Image live = io::read_png((folder_ / "live.png").string());
+  const io::Image render = io::read_png((folder_ / "render.png").string());
+  ASSERT_EQ(live.rgba.size(), render.rgba.size());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < live.rgba.size(); ++i) {
+    different += std::abs(live.rgba[i] - render.rgba[i]) > 2 ? 1 : 0;
+  }
+  EXPECT_LT(different, live.rgba.size() / 1000);
+}
+
+TEST_F(Live, TheSameHashAsHeadless) {
+  open({"--paused", "--seed", "5", "--set", "ta=0.3"});
+  screen_.press("shift+n");
+  const std::string hash = await("hash 100 ");
+  Params params;
+  params.seed = 5;
+  params.ta = 0.3;
+  EXPECT_EQ(hash, headless_hash(params, 100));
+}
+
+TEST_F(Live, RestartsByKeyAndByButton) {
+  open({"--paused"});
+  const std::string start = headless_hash(Params{}, 0);
+  for (const bool by_key : {true, false}) {
+    screen_.press("Right");
+    await("hash 1 ");
+    if (by_key) {
+      screen_.press("r");
+    } else {
+      click("restart");
+    }
+    EXPECT_EQ(await("hash 0 "), start);
+  }
+}
+
+TEST_F(Live, F1ShowsTheHelpAndEscapeClosesItFirst) {
+  open({"--paused"});
+  screen_.press("F1");
+  EXPECT_EQ(await("help "), "shown");
+  screen_.press("Escape");
+  EXPECT_EQ(await("help "), "hidden");
+  screen_.press("Right");
+  EXPECT_EQ(await("step "), "1") << "the window is still there";
+  screen_.press("Escape");
+  EXPECT_EQ(exit_code(), 0);
+}
+
+TEST_F(Live, TheSeedCanBeTypedAndKeysTypedThereDoNothingElse) {
+  open({"--paused", "--seed", "1"});
+  screen_.press("Right");
+  await("step 1");
+  click("seed");
+  await("text on");
+  type("77q");
+  EXPECT_EQ(await("value seed "), "77");
+  EXPECT_EQ(await("step "), "0") << "a new seed is a new litter";
+  click("new_seed");
+  EXPECT_NE(await("value seed "), "77");
+}
+
+TEST_F(Live, AParameterOfTheLitterRestartsIt) {
+  open({"--paused"});
+  screen_.press("Right");
+  await("step 1");
+  type_into_slider("pups", "250");  // beyond the slider's end, within what is allowed
+  EXPECT_EQ(await("value pups "), "250");
+  EXPECT_EQ(await("step "), "0");
+}
+
+TEST_F(Live, ValuesThatAreNotAllowedAreNotTaken) {
+  open({"--paused"});
+  type_into_slider("alpha", "7");
+  type_into_slider("beta", "0.25");
+  while (true) {
+    const std::string value = await("value ");
+    EXPECT_THAT(value, Not(StartsWith("alpha")));
+    if (value == "beta 0.25") break;
+  }
+}
+
+TEST_F(Live, ABadStateSaysWhereAndWaitsForARestart) {
+  open({"--set", "beta=1", "--set", "pups=2"});
+  screen_.press("f");
+  const std::string message = await("bad ");
+  EXPECT_THAT(message, HasSubstr("diverged at step"));
+  EXPECT_THAT(message, HasSubstr("pup"));
+  click("bad_restart");
+  EXPECT_EQ(await("step "), "0");
+}
+
+TEST_F(Live, TheMouseTurnsTheViewAndHomeTurnsItBack) {
+  open({"--paused"});
+  const Box box = widget("play");  // the panel is at the left; the arena is not
+  const int x = 700, y = box.y + 500;
+  screen_.press_and_move(x, y, x + 80, y);
+  std::string turned;
+  while (turned.empty() || turned.starts_with("0.523")) turned = await("camera ");
+  screen_.release();
+  screen_.press("Home");
+  std::string camera = turned;
+  while (!camera.starts_with("0.523")) camera = await("camera ");  // 30 degrees
+}
+
+TEST_F(Live, CtrlCEndsItWithItsOwnCode) {
+  open();
+  window_->send_signal(SIGINT);
+  EXPECT_EQ(exit_code(), 130);
+}
+
+TEST_F(Live, ClosesByItselfWhenAsked) {
+  open({"--exit-after", "1"});
+  EXPECT_EQ(exit_code(), 0);
+}
+
+TEST(LiveWithoutDisplay, SaysSoAndWhatWouldWork) {
+  Child program({.arguments = {PUPFLOW_PROGRAM, "live"},
+                 .environment = {"DISPLAY", "WAYLAND_DISPLAY"},
+                 .folder = {}});
+  EXPECT_EQ(program.wait().value_or(-1), 5);
+  EXPECT_THAT(program.errors(), HasSubstr("DISPLAY"));
+  EXPECT_THAT(program.errors(), HasSubstr("pupflow render"));
+}
+
+}  // namespace
+}  // namespace pupflow::testing

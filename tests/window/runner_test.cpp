@@ -1,0 +1,166 @@
+#include "app/window/runner.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <semaphore>
+
+namespace pupflow::window {
+namespace {
+
+using namespace std::chrono_literals;
+
+Params small_litter() {
+  Params params;
+  params.pups = 2;
+  params.face_points = 3;
+  params.seed = 5;
+  return params;
+}
+
+/// A runner and the window's side of it.
+class Watched {
+ public:
+  explicit Watched(bool playing, const Params& params = small_litter())
+      : runner_({.params = params, .playing = playing, .hashed = true, .notify = [this] {
+                   published_.release();
+                 }}) {}
+
+  Runner& operator*() { return runner_; }
+  Runner* operator->() { return &runner_; }
+
+  /// The next snapshot; fails the test when none comes.
+  const Snapshot& next() {
+    runner_.request();
+    EXPECT_TRUE(published_.try_acquire_for(60s)) << "no snapshot came";
+    EXPECT_TRUE(runner_.take());
+    return runner_.snapshot();
+  }
+
+  /// The first snapshot for which `wanted` holds, of many.
+  const Snapshot& await(const std::function<bool(const Snapshot&)>& wanted) {
+    const auto give_up = std::chrono::steady_clock::now() + 60s;
+    while (!wanted(next())) {
+      if (std::chrono::steady_clock::now() > give_up) {
+        ADD_FAILURE() << "the snapshot waited for never came";
+        break;
+      }
+    }
+    return runner_.snapshot();
+  }
+
+  bool nothing_published() { return !published_.try_acquire(); }
+
+ private:
+  std::counting_semaphore<> published_{0};
+  Runner runner_;
+};
+
+TEST(Runner, ShowsTheStartWithoutAStep) {
+  Watched runner(false);
+  const Snapshot& snapshot = runner.next();
+  EXPECT_EQ(snapshot.step, 0);
+  EXPECT_FALSE(snapshot.playing);
+  EXPECT_EQ(snapshot.hash, Simulation(small_litter()).hash());
+}
+
+TEST(Runner, StepsByItselfWhilePlaying) {
+  Watched runner(true);
+  const std::int64_t first = runner.next().step;
+  const Snapshot& later = runner.await([&](const Snapshot& s) { return s.step >= first + 5; });
+  EXPECT_TRUE(later.playing);
+  Simulation simulation(small_litter());
+  simulation.run(later.step);
+  EXPECT_EQ(later.hash, simulation.hash());
+}
+
+TEST(Runner, PausedAndUnchangedItPublishesNothing) {
+  Watched runner(false);
+  runner.next();
+  runner->request();  // stays open until something changes
+  runner->send(Advance{1});
+  EXPECT_EQ(runner.next().step, 1);
+  EXPECT_TRUE(runner.nothing_published());
+}
+
+TEST(Runner, PauseHoldsTheLitterStill) {
+  Watched runner(true);
+  runner->send(Speed{std::numeric_limits<double>::infinity()});
+  runner.await([](const Snapshot& s) { return s.step > 10; });
+  runner->send(PlayPause{});
+  const Snapshot& paused = runner.await([](const Snapshot& s) { return !s.playing; });
+  const std::int64_t step = paused.step;
+  EXPECT_EQ(paused.steps_per_second, 0);
+  runner->send(Advance{1});
+  EXPECT_EQ(runner.next().step, step + 1);
+}
+
+TEST(Runner, ManyStepsAreThoseOfASimulation) {
+  Watched runner(false);
+  runner->send(Advance{250});
+  const Snapshot& snapshot = runner.await([](const Snapshot& s) { return s.step == 250; });
+  Simulation simulation(small_litter());
+  simulation.run(250);
+  EXPECT_EQ(snapshot.hash, simulation.hash());
+  EXPECT_GT(snapshot.microseconds_per_step, 0);
+}
+
+TEST(Runner, OfEditsInARowTheLastOneCounts) {
+  Watched runner(false);
+  Params edited = small_litter();
+  for (const double ta : {0.1, 0.2, 0.3}) {
+    edited.ta = ta;
+    runner->send(Edit{edited});
+  }
+  runner->send(Advance{1});
+  const Snapshot& snapshot = runner.await([](const Snapshot& s) { return s.step == 1; });
+  EXPECT_EQ(snapshot.params.ta, 0.3);
+  Simulation simulation(edited);
+  simulation.run(1);
+  EXPECT_EQ(snapshot.hash, simulation.hash());
+}
+
+TEST(Runner, AnEditInTheMiddleOfARunIsTaken) {
+  Watched runner(true);
+  runner.await([](const Snapshot& s) { return s.step > 2; });
+  Params edited = small_litter();
+  edited.ta = 0.9;
+  runner->send(Edit{edited});
+  const Snapshot& snapshot =
+      runner.await([](const Snapshot& s) { return s.params.ta == 0.9 && s.step > s.edited_at; });
+  EXPECT_GT(snapshot.edited_at, 2);
+  EXPECT_TRUE(snapshot.playing);
+}
+
+TEST(Runner, ABadStatusIsPublishedAndPauses) {
+  Params params;
+  params.pups = 1;
+  params.beta = 1;
+  Watched runner(true, params);
+  runner->send(Speed{std::numeric_limits<double>::infinity()});
+  const Snapshot& snapshot = runner.await([](const Snapshot& s) { return !s.status.ok(); });
+  EXPECT_FALSE(snapshot.playing);
+  EXPECT_EQ(snapshot.status.kind, Status::Kind::diverged);
+  runner->send(Restart{});
+  EXPECT_TRUE(runner.await([](const Snapshot& s) { return s.step == 0; }).status.ok());
+}
+
+TEST(Runner, EndsWhileItRuns) {
+  for (const bool playing : {false, true}) {
+    Watched runner(playing);
+    runner->send(Speed{std::numeric_limits<double>::infinity()});
+    runner.next();
+  }
+}
+
+TEST(Runner, RefusesUnsoundParameters) {
+  Params params = small_litter();
+  params.dt = -1;
+  EXPECT_THROW(Watched runner(false, params), InvalidParams);
+}
+
+}  // namespace
+}  // namespace pupflow::window

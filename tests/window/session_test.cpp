@@ -1,0 +1,175 @@
+#include "app/window/session.h"
+
+#include <gmock/gmock.h>
+
+namespace pupflow::window {
+namespace {
+
+Params small_litter() {
+  Params params;
+  params.pups = 3;
+  params.face_points = 3;
+  params.seed = 11;
+  return params;
+}
+
+/// Bodies that grow without end: the status turns bad within some hundred steps.
+Params runaway() {
+  Params params;
+  params.pups = 2;
+  params.beta = 1;
+  return params;
+}
+
+Snapshot look_at(Session& session) {
+  Snapshot snapshot;
+  session.fill(snapshot, true);
+  return snapshot;
+}
+
+void step_until_bad(Session& session) {
+  for (int i = 0; i < 5000 && session.running(); ++i) session.step();
+}
+
+TEST(Session, AnEditActsOnTheNextStep) {
+  Params edited = small_litter();
+  edited.gravity = 3;
+  edited.ta = 0.1;
+  Simulation expected(small_litter());
+  expected.run(5);
+  expected.set_params(edited);
+  expected.run(1);
+
+  Session session(small_litter(), true);
+  for (int i = 0; i < 5; ++i) session.step();
+  session.apply(Edit{edited});
+  session.step();
+  const Snapshot snapshot = look_at(session);
+  EXPECT_EQ(snapshot.hash, expected.hash());
+  EXPECT_EQ(snapshot.params, edited);
+  EXPECT_EQ(snapshot.step, 6);
+  EXPECT_EQ(snapshot.edited_at, 5);
+}
+
+TEST(Session, AnEditOfTheLitterRestartsIt) {
+  Session session(small_litter(), true);
+  for (int i = 0; i < 5; ++i) session.step();
+  Params edited = small_litter();
+  edited.pups = 4;
+  session.apply(Edit{edited});
+  const Snapshot snapshot = look_at(session);
+  EXPECT_EQ(snapshot.step, 0);
+  EXPECT_EQ(snapshot.pups, 4);
+  EXPECT_EQ(snapshot.edited_at, 0);
+  EXPECT_EQ(snapshot.positions.size(), std::size_t{3} * 4 * 54);
+  EXPECT_EQ(snapshot.hash, Simulation(edited).hash());
+  EXPECT_TRUE(session.running());
+}
+
+TEST(Session, AnUnsoundEditIsNotTaken) {
+  Session session(small_litter(), true);
+  Params edited = small_litter();
+  edited.alpha = 2;
+  session.apply(Edit{edited});
+  session.step();
+  const Snapshot snapshot = look_at(session);
+  EXPECT_THAT(snapshot.rejected, testing::HasSubstr("alpha"));
+  EXPECT_EQ(snapshot.params, small_litter());
+  EXPECT_EQ(snapshot.step, 1);
+  session.apply(Edit{small_litter()});
+  EXPECT_EQ(look_at(session).rejected, "");
+}
+
+TEST(Session, ABadStatusPausesUntilARestart) {
+  Session session(runaway(), true);
+  step_until_bad(session);
+  ASSERT_FALSE(session.running());
+  Snapshot snapshot = look_at(session);
+  EXPECT_FALSE(snapshot.status.ok());
+  EXPECT_GE(snapshot.status.pup, 0);
+  EXPECT_FALSE(snapshot.playing);
+
+  session.apply(PlayPause{});
+  EXPECT_FALSE(session.running());
+  session.apply(Advance{3});
+  EXPECT_FALSE(session.hurried());
+  EXPECT_EQ(look_at(session).hash, snapshot.hash);
+
+  session.apply(Restart{});
+  snapshot = look_at(session);
+  EXPECT_TRUE(snapshot.status.ok());
+  EXPECT_EQ(snapshot.step, 0);
+  session.apply(PlayPause{});
+  EXPECT_TRUE(session.running());
+}
+
+TEST(Session, RestartIsTheSameLitterAgain) {
+  Session session(small_litter(), false);
+  const Snapshot start = look_at(session);
+  for (int i = 0; i < 7; ++i) session.step();
+  EXPECT_NE(look_at(session).hash, start.hash);
+  session.apply(Restart{});
+  EXPECT_EQ(look_at(session).hash, start.hash);
+}
+
+TEST(Session, AdvancePausesAndMakesThatManySteps) {
+  Session session(small_litter(), true);
+  session.apply(Advance{3});
+  EXPECT_FALSE(session.running());
+  int steps = 0;
+  for (; session.hurried(); ++steps) session.step();
+  EXPECT_EQ(steps, 3);
+  EXPECT_EQ(look_at(session).step, 3);
+}
+
+TEST(Session, SuspendedItWantsNothingAndThenGoesOn) {
+  Session session(small_litter(), true);
+  session.apply(Suspend{true});
+  EXPECT_FALSE(session.running());
+  session.apply(Suspend{false});
+  EXPECT_TRUE(session.running());
+}
+
+TEST(Session, MeasuresOnlyWhenSomebodyLooks) {
+  Session session(small_litter(), true);
+  session.step();
+  EXPECT_FALSE(look_at(session).observables);
+
+  session.apply(Observe{true});
+  session.step();  // only shows the observer where things stand
+  EXPECT_FALSE(look_at(session).observables);
+  session.step();
+  ASSERT_TRUE(look_at(session).observables);
+
+  Simulation simulation(small_litter());
+  simulation.run(2);
+  Observer observer(simulation);
+  simulation.step();
+  EXPECT_EQ(look_at(session).observables->mean_tb, observer.observe(simulation).mean_tb);
+  EXPECT_EQ(look_at(session).observables->flow, observer.last().flow);
+
+  session.apply(Observe{false});
+  EXPECT_FALSE(look_at(session).observables);
+}
+
+TEST(Session, LookingChangesNothing) {
+  Session seen(small_litter(), true), unseen(small_litter(), true);
+  seen.apply(Observe{true});
+  for (int i = 0; i < 50; ++i) {
+    seen.step();
+    unseen.step();
+  }
+  EXPECT_EQ(look_at(seen).hash, look_at(unseen).hash);
+}
+
+TEST(Session, SaysWhetherThereIsAnythingNew) {
+  Session session(small_litter(), true);
+  EXPECT_TRUE(session.changed());
+  look_at(session);
+  EXPECT_FALSE(session.changed());
+  session.step();
+  EXPECT_TRUE(session.changed());
+}
+
+}  // namespace
+}  // namespace pupflow::window

@@ -1,0 +1,97 @@
+#include "tests/arrows/include_scan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace pupflow::arrows {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+std::string listed(const std::vector<Violation>& violations) {
+  std::ostringstream out;
+  for (const Violation& v : violations) {
+    out << v.file << ":" << v.line << ": " << v.header << ": " << v.reason << "\n";
+  }
+  return out.str();
+}
+
+TEST(Arrows, NoIncludeOfTheSourceTreeRunsBack) {
+  int files = 0;
+  const std::vector<Violation> violations = scan_tree(PUPFLOW_SOURCE_DIR, files);
+  EXPECT_EQ(listed(violations), "");
+  EXPECT_GT(files, 50) << "the scan did not see the source tree";
+}
+
+struct Case {
+  const char* file;
+  const char* line;
+};
+
+class Forbidden : public ::testing::TestWithParam<Case> {};
+class Allowed : public ::testing::TestWithParam<Case> {};
+
+TEST_P(Forbidden, IncludeIsFound) {
+  const std::string text = std::string("#pragma once\n\n") + GetParam().line + "\n";
+  const std::vector<Violation> violations = scan_text(GetParam().file, text);
+  ASSERT_THAT(violations, SizeIs(1));
+  EXPECT_EQ(violations[0].file, GetParam().file);
+  EXPECT_EQ(violations[0].line, 3);
+  EXPECT_THAT(GetParam().line, HasSubstr(violations[0].header));
+}
+
+TEST_P(Allowed, IncludePasses) {
+  const std::vector<Violation> violations = scan_text(GetParam().file, GetParam().line);
+  EXPECT_EQ(listed(violations), "");
+}
+
+constexpr Case kForbidden[] = {
+    {"engine/heat.cpp", "#include \"app/io/failure.h\""},
+    {"engine/heat.cpp", "#include <GL/glew.h>"},
+    {"engine/heat.cpp", "#include <unistd.h>"},
+    {"engine/heat.cpp", "#include \"heat.h\""},
+    {"app/io/csv.cpp", "#include \"app/view/camera.h\""},
+    {"app/view/camera.cpp", "  #  include <GL/gl.h>"},
+    {"app/view/camera.cpp", "#include \"app/gl/renderer.h\""},
+    {"app/gl/renderer.cpp", "#include <GLFW/glfw3.h>"},
+    {"app/gl/renderer.cpp", "#include \"app/context/context.h\""},
+    {"app/context/headless.cpp", "#include \"app/window/session.h\""},
+    {"app/window/session.cpp", "#include \"app/cli/verb.h\""},
+    {"app/pictures/render.cpp", "#include \"app/window/live.h\""},
+    {"app/pictures/render.cpp", "#include \"app/cli/run.h\""},
+    {"app/pictures/render.cpp", "#include <EGL/egl.h>"},
+    {"app/cli/render.cpp", "#include \"app/gl/renderer.h\""},
+    {"app/cli/render.cpp", "#include \"app/pictures/render.h\""},
+    {"app/cli/run.cpp", "#include <imgui.h>"},
+    {"app/study/sweep.cpp", "#include \"app/view/camera.h\""},
+};
+
+constexpr Case kAllowed[] = {
+    {"engine/heat.cpp", "#include \"engine/heat.h\""},
+    {"engine/heat.cpp", "#include <cmath>"},
+    {"engine/heat.cpp", "#include <Eigen/Core>"},
+    {"engine/heat.cpp", "// #include \"app/io/failure.h\""},
+    {"app/io/png.cpp", "#include <png.h>"},
+    {"app/cli/render.cpp", "#include \"app/pictures/graphics.h\""},
+    {"app/cli/module.cpp", "#include <dlfcn.h>"},
+    {"app/pictures/module.cpp", "#include \"app/window/live.h\""},
+    {"app/window/window.cpp", "#include \"imgui_impl_glfw.h\""},
+    {"app/context/headless.cpp", "#include <EGL/egl.h>"},
+};
+
+std::string name_of(const ::testing::TestParamInfo<Case>& info) {
+  return "Case" + std::to_string(info.index);
+}
+
+INSTANTIATE_TEST_SUITE_P(Arrows, Forbidden, ::testing::ValuesIn(kForbidden), name_of);
+INSTANTIATE_TEST_SUITE_P(Arrows, Allowed, ::testing::ValuesIn(kAllowed), name_of);
+
+TEST(Arrows, FileOfAnUnknownFolderIsFound) {
+  EXPECT_THAT(scan_text("app/nowhere/new.cpp", "#include <cmath>\n"), SizeIs(1));
+}
+
+}  // namespace
+}  // namespace pupflow::arrows

@@ -105,13 +105,6 @@ TEST(Params, AllProblemsAreListed) {
   EXPECT_EQ(std::string(error.what()).find(problems[0].message), 0u);
 }
 
-TEST(Params, NearestNameHelpsWithTypos) {
-  EXPECT_EQ(nearest_parameter("aplha"), "alpha");
-  EXPECT_EQ(nearest_parameter("gravty"), "gravity");
-  EXPECT_EQ(nearest_parameter("arena-radius"), "arena_radius");
-  EXPECT_EQ(nearest_parameter("xyzzyxyzzy"), "");
-}
-
 TEST(Params, WhatDefinesTheLitterNeedsARestart) {
   Params a, b;
   b.ta = 0.1;

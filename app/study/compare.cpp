@@ -1,0 +1,161 @@
+#include "app/study/compare.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include "app/io/failure.h"
+#include "app/io/read_file.h"
+
+namespace pupflow::study {
+namespace {
+
+constexpr std::array<const char*, 5> kCompared{"mean_tb", "huddling", "groups", "largest", "flow"};
+
+[[noreturn]] void refuse(const std::string& message) {
+  throw io::Failure(io::ExitCode::bad_input, message);
+}
+
+/// A summary CSV: columns by name.
+struct Table {
+  std::string path;
+  std::vector<std::string> names;
+  std::vector<std::vector<std::string>> rows;
+
+  std::size_t column(const std::string& name) const {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      refuse(path + ": has no column " + name + "; is it a sweep's summary.csv?");
+    return static_cast<std::size_t>(found - names.begin());
+  }
+
+  double number(std::size_t row, const std::string& name) const {
+    const std::string& text = rows[row][column(name)];
+    double value = 0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || stop != text.data() + text.size()) {
+      refuse(path + ": row " + std::to_string(row + 1) + ": " + name + " is no number: '" + text +
+             "'");
+    }
+    return value;
+  }
+};
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+Table read_table(const std::string& path) {
+  Table table{path, {}, {}};
+  std::istringstream lines(io::read_file(path, std::size_t{1} << 30));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (line.empty() || line.starts_with('#')) continue;
+    std::vector<std::string> cells = split(line);
+    if (table.names.empty()) {
+      table.names = std::move(cells);
+      continue;
+    }
+    if (cells.size() != table.names.size())
+      refuse(path + ": a row has not as many cells as there are columns: " + line);
+    table.rows.push_back(std::move(cells));
+  }
+  table.column("runs");
+  return table;
+}
+
+bool same_value(const std::string& a, const std::string& b) {
+  if (a == b) return true;
+  double x = 0, y = 0;
+  const bool numbers = std::from_chars(a.data(), a.data() + a.size(), x).ec == std::errc{} &&
+                       std::from_chars(b.data(), b.data() + b.size(), y).ec == std::errc{};
+  return numbers && std::abs(x - y) <= 1e-5 * std::max({std::abs(x), std::abs(y), 1e-1});
+}
+
+/// Difference of two means in units of its standard error; 0 where both are the same without
+/// spread.
+double in_standard_errors(const Table& a, const Table& b, std::size_t row,
+                          const std::string& name) {
+  const auto squared_error = [&](const Table& t) {
+    const double sd = t.number(row, name + "_sd");
+    return sd * sd / t.number(row, "runs");
+  };
+  const double difference = a.number(row, name) - b.number(row, name);
+  return difference == 0 ? 0 : difference / std::sqrt(squared_error(a) + squared_error(b));
+}
+
+}  // namespace
+
+Comparison compare_summaries(const std::string& first, const std::string& second) {
+  const Table a = read_table(first), b = read_table(second);
+  Comparison comparison;
+  comparison.varied.assign(a.names.begin(),
+                           a.names.begin() + static_cast<std::ptrdiff_t>(a.column("runs")));
+  if (a.rows.size() != b.rows.size()) {
+    refuse(second + ": has " + std::to_string(b.rows.size()) + " rows, " + first + " has " +
+           std::to_string(a.rows.size()));
+  }
+  double squares = 0;
+  for (std::size_t row = 0; row < a.rows.size(); ++row) {
+    comparison.key.emplace_back();
+    for (const std::string& name : comparison.varied) {
+      const std::string& value = a.rows[row][a.column(name)];
+      if (!same_value(value, b.rows[row][b.column(name)])) {
+        refuse(second + ": row " + std::to_string(row + 1) + " has " + name + " = " +
+               b.rows[row][b.column(name)] + ", not " + value);
+      }
+      comparison.key.back().push_back(value);
+    }
+    for (const std::string name : kCompared) {
+      const double z = in_standard_errors(a, b, row, name);
+      comparison.differences.push_back({row, name, a.number(row, name), b.number(row, name), z});
+      comparison.beyond_three += std::abs(z) > 3 ? 1 : 0;
+      squares += z * z;
+      if (name != kCompared[0]) continue;
+      comparison.largest_tb =
+          std::max(comparison.largest_tb, std::abs(a.number(row, name) - b.number(row, name)));
+    }
+  }
+  const std::size_t count = comparison.differences.size();
+  comparison.rms = count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0;
+  return comparison;
+}
+
+std::string comparison_text(const Comparison& comparison) {
+  std::string text = "difference of the means in combined standard errors\n";
+  char cell[64];
+  for (const std::string& name : comparison.varied) {
+    std::snprintf(cell, sizeof cell, "%12s", name.c_str());
+    text += cell;
+  }
+  for (const char* name : kCompared) {
+    std::snprintf(cell, sizeof cell, "%10s", name);
+    text += cell;
+  }
+  for (std::size_t i = 0; i < comparison.differences.size(); ++i) {
+    const Difference& d = comparison.differences[i];
+    if (i % kCompared.size() == 0) {
+      text += "\n";
+      for (const std::string& value : comparison.key[d.row]) {
+        std::snprintf(cell, sizeof cell, "%12.10s", value.c_str());
+        text += cell;
+      }
+    }
+    std::snprintf(cell, sizeof cell, "%+10.1f", d.standard_errors);
+    text += cell;
+  }
+  std::snprintf(cell, sizeof cell, "\n%d of %zu points beyond 3", comparison.beyond_three,
+                comparison.differences.size());
+  text += cell;
+  std::snprintf(cell, sizeof cell, ", rms %.2f, mean_tb within %.4f\n", comparison.rms,
+                comparison.largest_tb);
+  return text + cell;
+}
+
+}  // namespace pupflow::study

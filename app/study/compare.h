@@ -1,0 +1,34 @@
+// Two summaries of the same sweep, held against each other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pupflow::study {
+
+/// How one observable at one grid point differs between two summaries.
+struct Difference {
+  std::size_t row;  // grid point, from 0
+  std::string observable;
+  double first, second;    // the means
+  double standard_errors;  // (first - second) over the combined standard error of both means
+};
+
+struct Comparison {
+  std::vector<std::string> varied;            // names of the columns before `runs`
+  std::vector<std::vector<std::string>> key;  // their values at each grid point
+  std::vector<Difference> differences;
+  int beyond_three = 0;   // points more than three standard errors apart
+  double rms = 0;         // root mean square of all standard_errors
+  double largest_tb = 0;  // largest difference of mean_tb
+};
+
+/// Compares mean_tb, huddling, groups, largest and flow, where both files have them. Varied
+/// parameters must agree within 1e-5 relative. Throws io::Failure: bad_file when a file cannot be
+/// read, bad_input when it is no summary or they do not fit together.
+Comparison compare_summaries(const std::string& first, const std::string& second);
+
+/// A table of all points, and the totals below it.
+std::string comparison_text(const Comparison& comparison);
+
+}  // namespace pupflow::study

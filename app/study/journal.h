@@ -1,0 +1,36 @@
+// The finished runs of a sweep under way: what survives Ctrl-C, a kill or a full disk.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "app/study/results.h"
+
+namespace pupflow::study {
+
+/// A file to which every finished run is added at once, "index,row". Members throw
+/// io::Failure(bad_file).
+class Journal {
+ public:
+  /// Opens `path`, made new if it is not there, and reads the runs that it holds. A last line that
+  /// was cut off, or anything damaged, is dropped from the file.
+  Journal(const std::string& path, const Design& design);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  /// Finished runs by index.
+  const std::map<std::int64_t, Row>& rows() const { return rows_; }
+
+  /// Adds one; it is in the file when this returns.
+  void add(const Row& row);
+
+ private:
+  void read();
+  std::string path_;
+  const Design& design_;
+  std::map<std::int64_t, Row> rows_;
+  int descriptor_ = -1;
+};
+
+}  // namespace pupflow::study

@@ -1,0 +1,242 @@
+#include "app/study/results.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "app/io/atomic_file.h"
+#include "app/io/failure.h"
+#include "app/io/provenance.h"
+#include "app/io/read_file.h"
+#include "app/io/text.h"
+
+namespace pupflow::study {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kLargestFile = std::size_t{1} << 34;
+
+struct Column {
+  const char* name;
+  double& (*of)(Row&);
+};
+
+constexpr std::array<Column, kObservables> kColumns{{
+    {"mean_tb", [](Row& r) -> double& { return r.means.mean_tb; }},
+    {"huddling", [](Row& r) -> double& { return r.means.huddling; }},
+    {"groups", [](Row& r) -> double& { return r.means.groups; }},
+    {"largest", [](Row& r) -> double& { return r.means.largest; }},
+    {"flow", [](Row& r) -> double& { return r.means.flow; }},
+    {"membership_flow", [](Row& r) -> double& { return r.means.membership_flow; }},
+    {"exposed_sd", [](Row& r) -> double& { return r.exposed_sd; }},
+}};
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+bool parse_number(const std::string& text, double& value) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop == end;
+}
+
+/// The cells before the status: varied values, then the seed.
+std::string key_text(const Design& design, std::int64_t run) {
+  std::string text;
+  const std::vector<double> values = design.values_at(run / design.seeds);
+  for (std::size_t a = 0; a < values.size(); ++a) {
+    text += format_value(*design.axes[a].parameter, values[a]) + ",";
+  }
+  return text + std::to_string(run_seed(design.base.seed, run)) + ",";
+}
+
+std::string varied_names(const Design& design) {
+  std::string names;
+  for (const Axis& axis : design.axes) names += std::string(axis.parameter->name) + ",";
+  return names;
+}
+
+Spread spread_of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  if (values.empty()) return {kNothing, kNothing};
+  double mean = 0, square = 0;
+  for (const double value : values) mean += value / n;
+  for (const double value : values) square += (value - mean) * (value - mean);
+  return {mean, values.size() < 2 ? kNothing : std::sqrt(square / (n - 1))};
+}
+
+Summary summarise_point(const Design& design, std::int64_t point, const Row* rows) {
+  Summary summary;
+  summary.values = design.values_at(point);
+  std::array<std::vector<double>, kObservables> values;
+  for (std::int64_t i = 0; i < design.seeds; ++i) {
+    if (!rows[i].fine()) {
+      ++summary.failed;
+      continue;
+    }
+    ++summary.runs;
+    for (int c = 0; c < kObservables; ++c)
+      values[static_cast<std::size_t>(c)].push_back(observable(rows[i], c));
+  }
+  for (const auto& column : values) summary.observables.push_back(spread_of(column));
+  return summary;
+}
+
+/// |dA/dT_a| along the axis of ta: central differences inside, one-sided at the ends.
+void add_susceptibility(const Design& design, std::vector<Summary>& summaries) {
+  for (Summary& summary : summaries) summary.susceptibility = kNothing;
+  std::int64_t stride = 1;
+  for (std::size_t a = design.axes.size(); a-- > 0;) {
+    const Axis& axis = design.axes[a];
+    const auto size = static_cast<std::int64_t>(axis.values.size());
+    if (axis.parameter->name == "ta" && size > 1) {
+      for (std::int64_t i = 0; i < static_cast<std::int64_t>(summaries.size()); ++i) {
+        const std::int64_t k = i / stride % size;
+        const std::int64_t low = i - (k > 0 ? stride : 0), high = i + (k + 1 < size ? stride : 0);
+        const Summary& before = summaries[static_cast<std::size_t>(low)];
+        const Summary& after = summaries[static_cast<std::size_t>(high)];
+        const double exposed = before.observables[1].mean - after.observables[1].mean;
+        summaries[static_cast<std::size_t>(i)].susceptibility =
+            std::abs(exposed / (after.values[a] - before.values[a]));
+      }
+    }
+    stride *= size;
+  }
+}
+
+/// Comment lines that tell how the file was made: the manifest.
+void write_header(io::AtomicFile& file, const Design& design) {
+  std::istringstream lines(manifest_text(design));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty()) file.write("# " + line + "\n");
+  }
+}
+
+}  // namespace
+
+const char* observable_name(int i) {
+  return kColumns[static_cast<std::size_t>(i)].name;
+}
+
+double observable(const Row& row, int i) {
+  Row copy = row;
+  return kColumns[static_cast<std::size_t>(i)].of(copy);
+}
+
+Row make_row(std::int64_t run, const RunResult& result) {
+  Row row;
+  row.run = run;
+  row.means = result.means;
+  row.exposed_sd = result.exposed_sd;
+  if (result.status.ok()) return row;
+  row.status = result.status.message();
+  std::replace(row.status.begin(), row.status.end(), ',', ';');
+  for (const Column& column : kColumns) column.of(row) = kNothing;
+  return row;
+}
+
+std::string runs_columns(const Design& design) {
+  std::string names = varied_names(design) + "seed,status";
+  for (const Column& column : kColumns) names += std::string(",") + column.name;
+  return names;
+}
+
+std::string row_text(const Design& design, const Row& row) {
+  std::string text = key_text(design, row.run) + row.status;
+  for (int c = 0; c < kObservables; ++c) text += "," + io::number_text(observable(row, c));
+  return text;
+}
+
+std::optional<Row> parse_row(const Design& design, std::int64_t run, const std::string& line) {
+  const std::string key = key_text(design, run);
+  if (!line.starts_with(key)) return std::nullopt;
+  const std::vector<std::string> cells = cells_of(line.substr(key.size()));
+  if (cells.size() != 1 + kObservables || cells[0].empty()) return std::nullopt;
+  Row row;
+  row.run = run;
+  row.status = cells[0];
+  for (std::size_t c = 0; c < kObservables; ++c) {
+    if (!parse_number(cells[1 + c], kColumns[c].of(row))) return std::nullopt;
+  }
+  return row;
+}
+
+std::vector<Summary> summarise(const Design& design, const std::vector<Row>& rows) {
+  std::vector<Summary> summaries;
+  for (std::int64_t point = 0; point < design.points(); ++point) {
+    summaries.push_back(
+        summarise_point(design, point, &rows[static_cast<std::size_t>(point * design.seeds)]));
+  }
+  add_susceptibility(design, summaries);
+  return summaries;
+}
+
+void write_runs(const std::string& path, const Design& design, const std::vector<Row>& rows) {
+  io::AtomicFile file(path, true);
+  write_header(file, design);
+  file.write(runs_columns(design) + "\n");
+  for (const Row& row : rows) file.write(row_text(design, row) + "\n");
+  file.commit();
+}
+
+void write_summary(const std::string& path, const Design& design,
+                   const std::vector<Summary>& summaries) {
+  io::AtomicFile file(path, true);
+  write_header(file, design);
+  std::string names = varied_names(design) + "runs";
+  for (const Column& column : kColumns)
+    names += std::string(",") + column.name + "," + column.name + "_sd";
+  file.write(names + ",susceptibility,failed\n");
+  for (const Summary& summary : summaries) {
+    std::string line;
+    for (std::size_t a = 0; a < summary.values.size(); ++a) {
+      line += format_value(*design.axes[a].parameter, summary.values[a]) + ",";
+    }
+    line += std::to_string(summary.runs);
+    for (const Spread& spread : summary.observables) {
+      line += "," + io::number_text(spread.mean) + "," + io::number_text(spread.sd);
+    }
+    line += "," + io::number_text(summary.susceptibility) + "," + std::to_string(summary.failed);
+    file.write(line + "\n");
+  }
+  file.commit();
+}
+
+std::vector<Row> read_runs(const std::string& path, const Design& design) {
+  std::istringstream lines(io::read_file(path, kLargestFile));
+  std::vector<std::int64_t> runs = design.own_runs();
+  std::vector<Row> rows;
+  bool columns = false;
+  std::int64_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (line.starts_with('#')) continue;
+    if (!columns) {
+      columns = true;
+      if (line == runs_columns(design)) continue;
+      throw io::Failure(io::ExitCode::bad_input, path + ":" + std::to_string(number) +
+                                                     ": the columns are not those of its manifest");
+    }
+    const std::optional<Row> row =
+        rows.size() < runs.size() ? parse_row(design, runs[rows.size()], line) : std::nullopt;
+    if (!row) {
+      throw io::Failure(io::ExitCode::bad_input, path + ":" + std::to_string(number) +
+                                                     ": this row is damaged or of another sweep");
+    }
+    rows.push_back(*row);
+  }
+  if (rows.size() != runs.size()) {
+    throw io::Failure(io::ExitCode::bad_input, path + ": holds " + std::to_string(rows.size()) +
+                                                   " of " + std::to_string(runs.size()) + " runs");
+  }
+  return rows;
+}
+
+}  // namespace pupflow::study

@@ -1,0 +1,65 @@
+// Rows of a sweep: one per run, and one per grid point with means over its seeds.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/study/design.h"
+#include "engine/ensemble.h"
+
+namespace pupflow::study {
+
+/// One finished run.
+struct Row {
+  std::int64_t run = 0;         // its index in the design
+  std::string status = "fine";  // else what went wrong and where, without commas
+  Observables means;
+  double exposed_sd = 0;
+
+  bool fine() const { return status == "fine"; }
+};
+
+Row make_row(std::int64_t run, const RunResult& result);
+
+/// The observables of a row by name, in the order of the files' columns.
+constexpr int kObservables = 7;
+const char* observable_name(int i);
+double observable(const Row& row, int i);
+
+/// Column names and one line (without its end) of the runs CSV.
+std::string runs_columns(const Design& design);
+std::string row_text(const Design& design, const Row& row);
+
+/// Reads such a line of run number `run`. Nothing when the line is damaged or belongs to another
+/// run.
+std::optional<Row> parse_row(const Design& design, std::int64_t run, const std::string& line);
+
+/// Mean and sample standard deviation over the seeds.
+struct Spread {
+  double mean, sd;
+};
+
+/// One grid point. Bad runs are counted and left out of everything else.
+struct Summary {
+  std::vector<double> values;  // of the varied parameters
+  std::int64_t runs = 0, failed = 0;
+  std::vector<Spread> observables;
+  double susceptibility =
+      0;  // |d<A>/dT_a| by central differences along ta; NaN when ta is not varied
+};
+
+/// Summaries of all grid points; `rows` holds every run of the design, in order.
+std::vector<Summary> summarise(const Design& design, const std::vector<Row>& rows);
+
+/// Writes NAME.csv style files into place, replacing what is there. Throw io::Failure(bad_file).
+void write_runs(const std::string& path, const Design& design, const std::vector<Row>& rows);
+void write_summary(const std::string& path, const Design& design,
+                   const std::vector<Summary>& summaries);
+
+/// Reads back all own runs of a design. Throws io::Failure: bad_file when the file cannot be read,
+/// bad_input when it is not complete or not of this design.
+std::vector<Row> read_runs(const std::string& path, const Design& design);
+
+}  // namespace pupflow::study

@@ -1,0 +1,55 @@
+#include "engine/ensemble.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace pupflow {
+
+std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop) {
+  Simulation simulation(params);
+  RunMeans means(params.discard);
+  std::optional<Observer> observer;
+  while (simulation.steps_done() < params.steps) {
+    if (stop()) return std::nullopt;
+    const bool counts = simulation.steps_done() >= params.discard;
+    if (counts && !observer) observer.emplace(simulation);  // flow compares with the step before
+    if (!simulation.step().ok()) break;
+    if (counts) means.add(simulation, observer->observe(simulation));
+  }
+  return RunResult{simulation.status(), means.means(), means.exposed_sd()};
+}
+
+void run_ensemble(std::int64_t count, int threads,
+                  const std::function<Params(std::int64_t)>& params_of,
+                  const std::function<void(std::int64_t, const RunResult&)>& deliver,
+                  const std::function<bool()>& stop) {
+  std::atomic<std::int64_t> next{0};
+  std::atomic<bool> failed{false};
+  std::mutex mutex;  // guards deliver and failure
+  std::exception_ptr failure;
+  const auto stop_all = [&] { return failed || stop(); };
+  const auto work = [&] {
+    try {
+      for (std::int64_t i = next++; i < count && !stop_all(); i = next++) {
+        const std::optional<RunResult> result = run_to_end(params_of(i), stop_all);
+        const std::lock_guard lock(mutex);
+        if (result && !failed) deliver(i, *result);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failed.exchange(true)) failure = std::current_exception();
+    }
+  };
+  std::vector<std::jthread> helpers;
+  const auto wanted = std::min<std::int64_t>(std::max(threads, 1), count);
+  for (std::int64_t i = 1; i < wanted; ++i) helpers.emplace_back(work);
+  work();
+  helpers.clear();  // joins
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace pupflow

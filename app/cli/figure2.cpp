@@ -1,0 +1,17 @@
+// pupflow figure2: the paper's Figure 2, by one command.
+#include <memory>
+
+#include "app/cli/sweep_work.h"
+
+namespace pupflow::cli {
+
+Verb add_figure2(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "figure2", "The paper's Figure 2: 24 ambient temperatures, 10 seeds each");
+  const auto options = std::make_shared<SweepOptions>();
+  add_sweep_options(*app, *options, "figure2");
+  options->vary = {"ta=0:1:24"};
+  return {app, [options] { run_sweep_verb(*options, "figure2"); }};
+}
+
+}  // namespace pupflow::cli

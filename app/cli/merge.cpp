@@ -1,0 +1,37 @@
+// pupflow merge: joins the shards of a sweep.
+#include <memory>
+
+#include "app/cli/sweep_work.h"
+
+namespace pupflow::cli {
+namespace {
+
+struct MergeOptions {
+  std::vector<std::string> folders;
+  std::string out;
+  bool force = false, quiet = false;
+};
+
+void merge(const MergeOptions& options) {
+  const study::SweepResult result =
+      study::merge_shards(options.folders, options.out, options.force);
+  report_sweep(study::design_of_folder(options.out), result, options.out, options.quiet);
+}
+
+}  // namespace
+
+Verb add_merge(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("merge", "Join the shards of a sweep, checked to be complete");
+  const auto options = std::make_shared<MergeOptions>();
+  app->add_option("FOLDER", options->folders, "The shards' folders")->option_text(" ")->required();
+  app->add_option("--out", options->out, "The folder for the whole")
+      ->option_text("FOLDER")
+      ->required()
+      ->check(not_empty);
+  app->add_flag("--force", options->force, "Replace another sweep there");
+  app->add_flag("--quiet", options->quiet, "No summary at the end");
+  return {app, [options] { merge(*options); }};
+}
+
+}  // namespace pupflow::cli

@@ -1,0 +1,82 @@
+#include "app/cli/sweep_work.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "app/io/atomic_file.h"
+#include "app/io/failure.h"
+#include "app/study/transition.h"
+
+namespace pupflow::cli {
+namespace {
+
+int thread_count(const Common& common) {
+  if (common.threads > 0) return common.threads;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+study::Design design_of(const SweepOptions& options, const std::string& name) {
+  study::Design design;
+  design.name = name;
+  design.base = io::set_up(options.common.settings).params;
+  for (const std::string& axis : options.vary) design.axes.push_back(study::parse_axis(axis));
+  design.seeds = options.seeds;
+  design.shard = study::parse_shard(options.shard);
+  return design;
+}
+
+}  // namespace
+
+void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& folder) {
+  CommonHelp help;
+  help.settings = "seed is the base seed, from which every run's own is made";
+  help.threads = "Runs at a time (default: all cores); changes no byte of any file";
+  help.out =
+      "The folder for runs.csv, summary.csv, manifest.toml and the figure (default " + folder + ")";
+  help.quiet = "No progress and no summary at the end";
+  add_common(app, options.common, help);
+  app.get_option("--out")->option_text("FOLDER");
+  app.add_option("--seeds", options.seeds, "Runs at each point (default 10)")
+      ->option_text("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
+  app.add_option("--shard", options.shard,
+                 "Compute only every n-th run, from the i-th on; 'pupflow merge' joins all n")
+      ->option_text("i/n")
+      ->check(not_empty);
+  app.footer(
+      "Finished runs are kept: after Ctrl-C, a full disk or a crash the same command goes on where "
+      "it\n"
+      "stopped. It refuses a folder that holds another sweep. Exit code 3 when the numbers of a "
+      "run went\n"
+      "wrong: its row says where, and it is left out of the means.");
+}
+
+void run_sweep_verb(const SweepOptions& options, const std::string& name) {
+  study::SweepJob job;
+  job.design = design_of(options, name);
+  job.folder = options.common.out.empty() ? name : options.common.out;
+  job.threads = thread_count(options.common);
+  job.force = options.common.force;
+  job.quiet = options.common.quiet;
+  report_sweep(job.design, study::run_sweep(job), job.folder, job.quiet);
+}
+
+void report_sweep(const study::Design& design, const study::SweepResult& result,
+                  const std::string& folder, bool quiet) {
+  std::string text;
+  if (result.resumed > 0) text += std::to_string(result.resumed) + " runs were there already\n";
+  text += std::to_string(result.rows.size()) + " runs in " + study::runs_path(folder) + "\n";
+  if (!result.summaries.empty()) {
+    text += "means of " + std::to_string(result.summaries.size()) + " points in " +
+            study::summary_path(folder) + "\n";
+    if (result.note.empty()) text += "figure in " + folder + "/" + design.name + ".png and .svg\n";
+    const auto transition = study::find_transition(design, result.summaries);
+    if (transition) text += study::transition_text(design, *transition);
+  }
+  if (!result.note.empty()) text += result.note + "\n";
+  if (!quiet) io::print(text);
+  const std::string failures = study::failures_text(design, result.rows);
+  if (!failures.empty()) throw io::Failure(io::ExitCode::bad_numbers, failures);
+}
+
+}  // namespace pupflow::cli

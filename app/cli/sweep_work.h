@@ -1,0 +1,31 @@
+// What the verbs that compute or join sweeps share: their options, the work, the report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/verb.h"
+#include "app/study/sweep.h"
+
+namespace pupflow::cli {
+
+struct SweepOptions {
+  Common common;  // its `out` is the folder
+  std::vector<std::string> vary;
+  std::int64_t seeds = 10;
+  std::string shard = "1/1";
+};
+
+/// Declares all of them but --vary; `folder` is the default of --out.
+void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& folder);
+
+/// Computes the sweep, or what is missing of it, and reports. `name` is that of its picture and of
+/// its default folder. Throws io::Failure, with bad_numbers when runs went wrong.
+void run_sweep_verb(const SweepOptions& options, const std::string& name);
+
+/// What a finished sweep says at its end, unless `quiet`. Throws io::Failure(bad_numbers) when runs
+/// went wrong.
+void report_sweep(const study::Design& design, const study::SweepResult& result,
+                  const std::string& folder, bool quiet);
+
+}  // namespace pupflow::cli

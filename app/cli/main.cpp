@@ -124,6 +124,7 @@ int guarded_main(int argc, char** argv) {
   // A closed pipe shows as a failed write, which is reported; dying of the signal would leave
   // temporary files.
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that reaches its size limit
   io::watch_for_interrupt();
   try {
     parse_and_work(argc, argv);

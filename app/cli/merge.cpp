@@ -2,6 +2,8 @@
 #include <memory>
 
 #include "app/cli/sweep_work.h"
+#include "app/study/folder.h"
+#include "app/study/merge.h"
 
 namespace pupflow::cli {
 namespace {

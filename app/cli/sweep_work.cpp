@@ -5,6 +5,7 @@
 
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
+#include "app/study/folder.h"
 #include "app/study/transition.h"
 
 namespace pupflow::cli {

@@ -82,7 +82,12 @@ TextEntries read_csv_header(const std::string& path) {
     if (line.starts_with(' ')) line.remove_prefix(1);
     const std::size_t equals = line.find(" = ");
     if (equals == std::string_view::npos) continue;
-    entries.emplace_back(line.substr(0, equals), line.substr(equals + 3));
+    std::string_view value = line.substr(equals + 3);
+    // A sweep's header is TOML, which quotes words.
+    if (value.size() >= 2 && value.starts_with('"') && value.ends_with('"')) {
+      value = value.substr(1, value.size() - 2);
+    }
+    entries.emplace_back(line.substr(0, equals), value);
   }
   return entries;
 }

@@ -97,6 +97,10 @@ Comparison compare_summaries(const std::string& first, const std::string& second
   Comparison comparison;
   comparison.varied.assign(a.names.begin(),
                            a.names.begin() + static_cast<std::ptrdiff_t>(a.column("runs")));
+  if (!std::equal(b.names.begin(), b.names.begin() + static_cast<std::ptrdiff_t>(b.column("runs")),
+                  comparison.varied.begin(), comparison.varied.end())) {
+    refuse(second + ": does not vary the same parameters as " + first);
+  }
   if (a.rows.size() != b.rows.size()) {
     refuse(second + ": has " + std::to_string(b.rows.size()) + " rows, " + first + " has " +
            std::to_string(a.rows.size()));
@@ -116,13 +120,15 @@ Comparison compare_summaries(const std::string& first, const std::string& second
       const double z = in_standard_errors(a, b, row, name);
       comparison.differences.push_back({row, name, a.number(row, name), b.number(row, name), z});
       comparison.beyond_three += std::abs(z) > 3 ? 1 : 0;
-      squares += z * z;
+      comparison.unknown += std::isnan(z) ? 1 : 0;
+      squares += std::isnan(z) ? 0 : z * z;
       if (name != kCompared[0]) continue;
       comparison.largest_tb =
           std::max(comparison.largest_tb, std::abs(a.number(row, name) - b.number(row, name)));
     }
   }
-  const std::size_t count = comparison.differences.size();
+  const std::size_t count =
+      comparison.differences.size() - static_cast<std::size_t>(comparison.unknown);
   comparison.rms = count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0;
   return comparison;
 }
@@ -151,8 +157,12 @@ std::string comparison_text(const Comparison& comparison) {
     text += cell;
   }
   std::snprintf(cell, sizeof cell, "\n%d of %zu points beyond 3", comparison.beyond_three,
-                comparison.differences.size());
+                comparison.differences.size() - static_cast<std::size_t>(comparison.unknown));
   text += cell;
+  if (comparison.unknown > 0) {
+    std::snprintf(cell, sizeof cell, ", %d left out for want of runs", comparison.unknown);
+    text += cell;
+  }
   std::snprintf(cell, sizeof cell, ", rms %.2f, mean_tb within %.4f\n", comparison.rms,
                 comparison.largest_tb);
   return text + cell;

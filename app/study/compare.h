@@ -11,7 +11,8 @@ struct Difference {
   std::size_t row;  // grid point, from 0
   std::string observable;
   double first, second;    // the means
-  double standard_errors;  // (first - second) over the combined standard error of both means
+  double standard_errors;  // (first - second) over the combined standard error of both means;
+                           // NaN where that is unknown
 };
 
 struct Comparison {
@@ -19,12 +20,13 @@ struct Comparison {
   std::vector<std::vector<std::string>> key;  // their values at each grid point
   std::vector<Difference> differences;
   int beyond_three = 0;   // points more than three standard errors apart
-  double rms = 0;         // root mean square of all standard_errors
+  int unknown = 0;        // points where a file has fewer than two runs, so no standard error
+  double rms = 0;         // root mean square of all other standard_errors
   double largest_tb = 0;  // largest difference of mean_tb
 };
 
-/// Compares mean_tb, huddling, groups, largest and flow, where both files have them. Varied
-/// parameters must agree within 1e-5 relative. Throws io::Failure: bad_file when a file cannot be
+/// Compares mean_tb, huddling, groups, largest and flow. Varied parameters must be the same and
+/// agree within 1e-5 relative. Throws io::Failure: bad_file when a file cannot be
 /// read, bad_input when it is no summary or they do not fit together.
 Comparison compare_summaries(const std::string& first, const std::string& second);
 

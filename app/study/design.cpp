@@ -13,7 +13,7 @@ namespace pupflow::study {
 namespace {
 
 constexpr std::int64_t kMostRuns = 100'000'000;
-constexpr std::int64_t kMostValues = 1'000'000;
+constexpr std::int64_t kMostValues = 1'000'000, kMostShards = 1'000'000;
 
 [[noreturn]] void refuse(const std::string& message) {
   throw io::Failure(io::ExitCode::bad_input, message);
@@ -51,6 +51,7 @@ std::vector<double> spaced_values(const Parameter& parameter,
            "; it must be a whole number from 2");
   }
   const double from = value_of(parameter, parts[0]), to = value_of(parameter, parts[1]);
+  if (from == to) refuse("--vary " + name + ": " + parts[0] + " to " + parts[1] + " is no range");
   std::vector<double> values;
   for (std::int64_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
@@ -108,7 +109,7 @@ Shard parse_shard(const std::string& text) {
   };
   const bool read =
       parts.size() == 2 && number(parts[0], shard.number) && number(parts[1], shard.of);
-  if (!read || shard.number < 1 || shard.number > shard.of) {
+  if (!read || shard.number < 1 || shard.number > shard.of || shard.of > kMostShards) {
     refuse("--shard " + io::quoted(text) + ": write i/n with i from 1 to n, e.g. 1/4");
   }
   return shard;
@@ -162,7 +163,7 @@ void check_design(const Design& design) {
     }
   }
   const std::int64_t points = design.points();
-  if (points > kMostRuns || design.runs() > kMostRuns) {
+  if (points > kMostRuns || design.seeds > kMostRuns || design.runs() > kMostRuns) {
     refuse("the sweep has more than " + std::to_string(kMostRuns) +
            " runs; vary less or use fewer seeds");
   }

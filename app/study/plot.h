@@ -2,20 +2,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/study/results.h"
 
 namespace pupflow::study {
 
-/// The gnuplot script for a design: four panels against one varied parameter, heat maps of each
-/// observable over two. It reads summary.csv in its own folder and writes NAME.png and NAME.svg
-/// there. Empty when neither fits.
-std::string plot_script(const Design& design);
+/// The files that a design's figure consists of: NAME.png, NAME.svg, and the script, NAME.gp.
+std::vector<std::string> plot_paths(const std::string& folder, const Design& design);
 
-/// Writes the script into `folder` and runs gnuplot on it, then adds the manifest to both pictures.
-/// Returns an empty text, or one line saying why there is no picture (more than two varied
-/// parameters; gnuplot is missing). Throws io::Failure(bad_file) when a file cannot be written or
-/// gnuplot fails.
-std::string draw_plots(const std::string& folder, const Design& design);
+/// Draws summary.csv in `folder`. A script that is there already, perhaps edited, is used as it is;
+/// otherwise it is written. Both pictures carry the manifest and the parameters, and appear whole
+/// or not at all. Returns an empty text, or one line saying why there is no picture (nothing or
+/// more than two parameters vary; no run was fine; gnuplot is missing). Throws io::Failure:
+/// bad_file when a file cannot be written or gnuplot fails, interrupted.
+std::string draw_plots(const std::string& folder, const Design& design,
+                       const std::vector<Summary>& summaries);
 
 }  // namespace pupflow::study

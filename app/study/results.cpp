@@ -165,6 +165,7 @@ std::optional<Row> parse_row(const Design& design, std::int64_t run, const std::
   for (std::size_t c = 0; c < kObservables; ++c) {
     if (!parse_number(cells[1 + c], kColumns[c].of(row))) return std::nullopt;
   }
+  if (row_text(design, row) != line) return std::nullopt;
   return row;
 }
 
@@ -228,13 +229,15 @@ std::vector<Row> read_runs(const std::string& path, const Design& design) {
         rows.size() < runs.size() ? parse_row(design, runs[rows.size()], line) : std::nullopt;
     if (!row) {
       throw io::Failure(io::ExitCode::bad_input, path + ":" + std::to_string(number) +
-                                                     ": this row is damaged or of another sweep");
+                                                     ": this row is damaged or of another sweep; "
+                                                     "remove the file to compute its runs again");
     }
     rows.push_back(*row);
   }
   if (rows.size() != runs.size()) {
     throw io::Failure(io::ExitCode::bad_input, path + ": holds " + std::to_string(rows.size()) +
-                                                   " of " + std::to_string(runs.size()) + " runs");
+                                                   " of " + std::to_string(runs.size()) +
+                                                   " runs; remove it to compute them again");
   }
   return rows;
 }

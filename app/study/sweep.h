@@ -8,12 +8,6 @@
 
 namespace pupflow::study {
 
-/// Files of a sweep's folder.
-std::string runs_path(const std::string& folder);
-std::string summary_path(const std::string& folder);
-std::string manifest_path(const std::string& folder);
-std::string journal_path(const std::string& folder);
-
 struct SweepJob {
   Design design;
   std::string folder;
@@ -34,13 +28,9 @@ struct SweepResult {
 /// when the folder holds another sweep, bad_file, interrupted; finished runs are kept in all cases.
 SweepResult run_sweep(const SweepJob& job);
 
-/// Joins the finished shards in `folders` to a whole sweep in `folder`. Throws
-/// io::Failure(bad_input) when they do not belong together or one is missing or incomplete.
-SweepResult merge_shards(const std::vector<std::string>& folders, const std::string& folder,
-                         bool force);
-
-/// The design that a folder's manifest holds. Throws io::Failure.
-Design design_of_folder(const std::string& folder);
+/// Writes everything that follows from the rows of a shard or of a whole sweep. Throws
+/// io::Failure: bad_file, or interrupted while drawing.
+SweepResult write_results(const std::string& folder, const Design& design, std::vector<Row> rows);
 
 /// The first run that went wrong, and how many did, in one line; empty when all were fine.
 std::string failures_text(const Design& design, const std::vector<Row>& rows);

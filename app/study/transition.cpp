@@ -52,11 +52,15 @@ std::optional<Transition> find_transition(const Design& design,
 
 std::string transition_text(const Design& design, const Transition& t) {
   char line[256];
-  const double critical = design.base.tp - design.base.g / design.base.k1;
-  std::snprintf(line, sizeof line,
-                "1 - A falls most steeply between T_a %.4g and %.4g; T_p - G/k1 = %.4g\n",
-                t.steepest_from, t.steepest_to, critical);
+  std::snprintf(line, sizeof line, "1 - A falls most steeply between T_a %.4g and %.4g",
+                t.steepest_from, t.steepest_to);
   std::string text = line;
+  if (design.base.k1 > 0) {
+    std::snprintf(line, sizeof line, "; T_p - G/k1 = %.4g",
+                  design.base.tp - design.base.g / design.base.k1);
+    text += line;
+  }
+  text += "\n";
   std::snprintf(line, sizeof line, "pup flow is highest, %.4g /s, at T_a %.4g", t.flow_peak,
                 t.flow_peak_ta);
   text += line;

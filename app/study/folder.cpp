@@ -1,0 +1,108 @@
+#include "app/study/folder.h"
+
+#include <filesystem>
+#include <sstream>
+#include <vector>
+
+#include "app/io/atomic_file.h"
+#include "app/io/failure.h"
+#include "app/io/read_file.h"
+#include "app/study/plot.h"
+
+namespace pupflow::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestManifest = std::size_t{1} << 26;
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw io::Failure(io::ExitCode::bad_file,
+                      folder + ": cannot make this folder: " + error.message());
+  }
+}
+
+void remove_file(const std::string& path) {
+  std::error_code error;
+  if (!fs::remove(path, error) && error) {
+    throw io::Failure(io::ExitCode::bad_file, path + ": cannot remove: " + error.message());
+  }
+}
+
+/// Everything of a sweep that is not its manifest.
+std::vector<std::string> other_files(const std::string& folder, const Design& design) {
+  std::vector<std::string> files = plot_paths(folder, design);
+  for (const auto& path : {runs_path, summary_path, journal_path}) files.push_back(path(folder));
+  return files;
+}
+
+}  // namespace
+
+std::string runs_path(const std::string& folder) {
+  return folder + "/runs.csv";
+}
+std::string summary_path(const std::string& folder) {
+  return folder + "/summary.csv";
+}
+std::string manifest_path(const std::string& folder) {
+  return folder + "/manifest.toml";
+}
+std::string journal_path(const std::string& folder) {
+  return folder + "/journal.csv";
+}
+
+void claim_folder(const std::string& folder, const Design& design, bool force) {
+  make_folder(folder);
+  const std::string text = manifest_text(design), path = manifest_path(folder);
+  const bool claimed = fs::exists(path);
+  const std::string there = claimed ? io::read_file(path, kLargestManifest) : "";
+  // The same sweep goes on even when forced: the command that replaced another sweep can then be
+  // given again after an interruption.
+  if (there == text) return;
+  if (claimed && !force) {
+    throw io::Failure(io::ExitCode::bad_input,
+                      folder + ": holds another sweep: " + manifest_difference(there, text) +
+                          "; name another folder with --out, or use --force to start afresh");
+  }
+  for (const std::string& file : other_files(folder, design)) {
+    if (fs::exists(file) && !force) {
+      throw io::Failure(io::ExitCode::bad_file,
+                        file +
+                            ": exists already, and no manifest says of which sweep; name "
+                            "another folder with --out, or use --force to replace it");
+    }
+  }
+  // Results go first: a folder never has a manifest that is not theirs.
+  for (const std::string& file : other_files(folder, design)) remove_file(file);
+  io::AtomicFile manifest(path, true);
+  manifest.write(text);
+  manifest.commit();
+}
+
+Design design_of_folder(const std::string& folder) {
+  const std::string path = manifest_path(folder);
+  const std::string text = io::read_file(path, kLargestManifest);
+  Design design = parse_manifest(text, path);
+  const std::string own = manifest_text(design);
+  if (text == own) return design;
+  throw io::Failure(io::ExitCode::bad_input,
+                    path + ": is not as this program writes it: " + manifest_difference(text, own));
+}
+
+std::string manifest_difference(const std::string& there, const std::string& now) {
+  std::istringstream a(there), b(now);
+  std::string line_a, line_b;
+  while (true) {
+    const bool more_a = static_cast<bool>(std::getline(a, line_a));
+    const bool more_b = static_cast<bool>(std::getline(b, line_b));
+    if (!more_a && !more_b) return "nothing";
+    if (!more_a || !more_b || line_a != line_b) {
+      return "'" + (more_a ? line_a : "") + "' there, '" + (more_b ? line_b : "") + "' now";
+    }
+  }
+}
+
+}  // namespace pupflow::study

@@ -1,0 +1,19 @@
+// The gnuplot script that draws a sweep's summary. It stays beside the figure, for users to edit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/study/design.h"
+
+namespace pupflow::study {
+
+/// The axes along which a plot has something to show: those with more than one value.
+std::vector<const Axis*> plotted_axes(const Design& design);
+
+/// Four panels for one such axis, heat maps of each observable for two, empty otherwise. The script
+/// reads summary.csv in its own folder and writes the design's NAME.png and NAME.svg there, or
+/// files of another name when gnuplot's variable `name` is set.
+std::string plot_script(const Design& design);
+
+}  // namespace pupflow::study

@@ -7,15 +7,6 @@ namespace pupflow {
 namespace {
 
 template <class Real>
-void apply_floor(Real r, int stride, Real* z, Real* vz) {
-  for (int i = 0; i < stride; ++i) {
-    const bool below = z[i] - r < 0;
-    vz[i] = below ? std::abs(vz[i]) : vz[i];
-    z[i] = below ? r : z[i];
-  }
-}
-
-template <class Real>
 bool reaches_wall(Real x, Real y, Real r, Real arena_squared) {
   const Real dx = std::abs(x) + r, dy = std::abs(y) + r;
   return dx * dx + dy * dy > arena_squared;
@@ -42,12 +33,15 @@ void apply_boundaries(const Params& params, State<Real>& state) {
   const auto h = static_cast<Real>(params.dt);
   const auto arena = static_cast<Real>(params.arena_radius);
   for (int pup = 0; pup < state.pups; ++pup) {
-    Box<Real>& box = state.bounds[pup];
+    Bounds<Real>& box = state.bounds[pup];
     const std::size_t row = state.row(pup);
-    if (box.low[2] - r < 0) {
-      apply_floor(r, state.stride, state.z.data() + row, state.vz.data() + row);
-      box.low[2] = r;
-      box.high[2] = std::max(box.high[2], r);
+    if (box.low[2] < r) {
+      state.kernels->floor(r, state.stride, state.z.data() + row, state.vz.data() + row);
+      if (box.centre[2] > r) {
+        box.low[2] = r;  // points came nearer to the centre, so the ball still holds them
+      } else {
+        update_bounds(state, pup);
+      }
     }
     const Real far_x = std::max(std::abs(box.low[0]), std::abs(box.high[0]));
     const Real far_y = std::max(std::abs(box.low[1]), std::abs(box.high[1]));

@@ -7,14 +7,14 @@ namespace pupflow {
 namespace {
 
 template <class Real>
-bool near_along(const Box<Real>& a, const Box<Real>& b, int axis, Real margin) {
+bool near_along(const Bounds<Real>& a, const Bounds<Real>& b, int axis, Real margin) {
   return a.low[axis] <= b.high[axis] + margin && b.low[axis] <= a.high[axis] + margin;
 }
 
 }  // namespace
 
 template <class Real>
-const std::vector<TouchingPair>& BroadPhase<Real>::find(const std::vector<Box<Real>>& boxes,
+const std::vector<TouchingPair>& BroadPhase<Real>::find(const std::vector<Bounds<Real>>& boxes,
                                                         Real margin) {
   if (order_.size() != boxes.size()) {
     order_.resize(boxes.size());
@@ -29,9 +29,9 @@ const std::vector<TouchingPair>& BroadPhase<Real>::find(const std::vector<Box<Re
   }
   pairs_.clear();
   for (std::size_t i = 0; i < order_.size(); ++i) {
-    const Box<Real>& a = boxes[order_[i]];
+    const Bounds<Real>& a = boxes[order_[i]];
     for (std::size_t j = i + 1; j < order_.size(); ++j) {
-      const Box<Real>& b = boxes[order_[j]];
+      const Bounds<Real>& b = boxes[order_[j]];
       if (b.low[0] > a.high[0] + margin) break;
       if (!near_along(a, b, 1, margin) || !near_along(a, b, 2, margin)) continue;
       pairs_.push_back({std::min(order_[i], order_[j]), std::max(order_[i], order_[j])});

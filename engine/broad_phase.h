@@ -14,7 +14,7 @@ class BroadPhase {
  public:
   /// All pairs whose boxes are at most `margin` apart along every axis, sorted. Boxes must be
   /// finite.
-  const std::vector<TouchingPair>& find(const std::vector<Box<Real>>& boxes, Real margin);
+  const std::vector<TouchingPair>& find(const std::vector<Bounds<Real>>& boxes, Real margin);
 
  private:
   std::vector<int> order_;

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/pack.h"
+#include "engine/lanes.h"
 
 namespace pupflow {
 namespace {

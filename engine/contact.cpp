@@ -1,107 +1,104 @@
 #include "engine/contact.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "engine/health.h"
-#include "engine/pack.h"
+#include "engine/lanes.h"
 
 namespace pupflow {
 namespace {
 
+/// A little more than the sum of radii, so that rounding never hides a pair that touches.
 template <class Real>
-bool inside(const Box<Real>& box, Real margin, Real x, Real y, Real z) {
-  return x >= box.low[0] - margin && x <= box.high[0] + margin && y >= box.low[1] - margin &&
-         y <= box.high[1] + margin && z >= box.low[2] - margin && z <= box.high[2] + margin;
+Real search_radius(Real radius, Real reach) {
+  return (radius + reach) * (1 + 32 * std::numeric_limits<Real>::epsilon());
+}
+
+/// `value` plus `margin` and a hair more, however far out it is.
+template <class Real>
+Real widened(Real value, Real margin) {
+  const Real hair = 4 * std::numeric_limits<Real>::epsilon() * std::abs(value);
+  return value + margin + (margin < 0 ? -hair : hair);
+}
+
+template <class Real>
+bool balls_meet(const Bounds<Real>& a, const Bounds<Real>& b, Real reach) {
+  const Real dx = a.centre[0] - b.centre[0], dy = a.centre[1] - b.centre[1],
+             dz = a.centre[2] - b.centre[2];
+  const Real limit = search_radius(a.radius + b.radius, reach);
+  return dx * dx + dy * dy + dz * dz < limit * limit;
 }
 
 }  // namespace
 
 template <class Real>
-void Contacts<Real>::gather(const State<Real>& state, int pup, const Box<Real>& other, Real margin,
-                            Candidates& candidates) {
-  const std::size_t room = state.stride + kLanes<Real>;
-  candidates.x.resize(room);
-  candidates.y.resize(room);
-  candidates.z.resize(room);
-  candidates.point.resize(room);
-  const std::size_t row = state.row(pup);
-  int count = 0;
-  for (int i = 0; i < state.points; ++i) {
-    const Real x = state.x[row + i], y = state.y[row + i], z = state.z[row + i];
-    candidates.x[count] = x;  // overwritten by the next one unless this one counts
-    candidates.y[count] = y;
-    candidates.z[count] = z;
-    candidates.point[count] = i;
-    count += inside(other, margin, x, y, z) ? 1 : 0;
-  }
-  candidates.count = count;
-  for (int i = count; i < padded<Real>(count); ++i) {
-    candidates.x[i] = std::numeric_limits<Real>::infinity();  // far from everything
-  }
+void Contacts<Real>::Side::make_room(int stride) {
+  const std::size_t room = stride + kLanes<Real>;
+  if (point.size() == room) return;
+  point.resize(room);
+  numbers.resize(11 * room);
+  Real* next = numbers.data();
+  const auto take = [&] {
+    next += room;
+    return next - room;
+  };
+  candidates = {take(), take(), take(), point.data(), 0, {}, {}};
+  sums = {{take(), take(), take()}, {take(), take(), take()}, take(), take()};
 }
 
 template <class Real>
-void Contacts<Real>::note(std::size_t point, int owner, Real d_squared) {
-  Touch& touch = touch_[point];
-  if (touch.owner < 0) list_.push_back(point);
-  if (touch.owner < 0 ||
-      d_squared < touch.nearest) {  // pairs come in order, so the first wins a tie
-    touch.owner = owner;
-    touch.nearest = d_squared;
+void Contacts<Real>::merge(const Side& side, std::size_t row, int other) {
+  for (int i = 0; i < side.candidates.count; ++i) {
+    const Real nearest = side.sums.nearest[i];
+    if (nearest == std::numeric_limits<Real>::infinity()) continue;
+    const std::size_t point = row + side.candidates.point[i];
+    Touch& touch = touch_[point];
+    if (touch.owner < 0) list_.push_back(point);
+    if (touch.owner < 0 ||
+        nearest < touch.nearest) {  // pairs come in order, so the first wins a tie
+      touch.owner = other;
+      touch.nearest = nearest;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      touch.push[axis] += side.sums.push[axis][i];
+      touch.pull[axis] += side.sums.pull[axis][i];
+    }
+    touch.uppers += side.sums.uppers[i];
   }
-}
-
-template <class Real>
-void Contacts<Real>::add_contact(const State<Real>& state, TouchingPair pair, int a, int b,
-                                 Real d_squared, Real reach) {
-  const std::size_t pa = state.row(pair.first) + first_.point[a];
-  const std::size_t pb = state.row(pair.second) + second_.point[b];
-  note(pa, pair.second, d_squared);
-  note(pb, pair.first, d_squared);
-  const bool first_is_upper = first_.z[a] >= second_.z[b];
-  const Real sign = first_is_upper ? Real(1) : Real(-1);
-  const Real e[3] = {sign * (first_.x[a] - second_.x[b]), sign * (first_.y[a] - second_.y[b]),
-                     sign * (first_.z[a] - second_.z[b])};
-  Touch& touch = touch_[first_is_upper ? pa : pb];
-  const Real gap = reach - std::sqrt(d_squared);
-  for (int k = 0; k < 3; ++k) {
-    touch.push[k] += e[k] * gap;
-    touch.pull[k] -= e[k];
-  }
-  ++touch.uppers;
 }
 
 template <class Real>
 bool Contacts<Real>::touch_pair(const State<Real>& state, TouchingPair pair, Real reach) {
-  using P = Pack<Real>;
-  gather(state, pair.first, state.bounds[pair.second], reach, first_);
-  if (first_.count == 0) return false;
-  gather(state, pair.second, state.bounds[pair.first], reach, second_);
-  const P limit = P::broadcast(reach * reach);
-  bool any = false;
-  for (int a = 0; a < first_.count; ++a) {
-    const P ax = P::broadcast(first_.x[a]), ay = P::broadcast(first_.y[a]),
-            az = P::broadcast(first_.z[a]);
-    for (int block = 0; block < second_.count; block += kLanes<Real>) {
-      const P dx = P::load(&second_.x[block]) - ax;
-      const P dy = P::load(&second_.y[block]) - ay;
-      const P dz = P::load(&second_.z[block]) - az;
-      const P d_squared = dx * dx + dy * dy + dz * dz;
-      std::uint32_t hits = less_bits(d_squared, limit);
-      if (hits == 0) continue;
-      any = true;
-      Real lane[kLanes<Real>];
-      d_squared.store(lane);
-      for (; hits != 0; hits &= hits - 1) {
-        const int j = std::countr_zero(hits);
-        add_contact(state, pair, a, block + j, lane[j], reach);
-      }
+  const Bounds<Real>& a = state.bounds[pair.first];
+  const Bounds<Real>& b = state.bounds[pair.second];
+  if (!balls_meet(a, b, reach)) return false;
+  // First the points of one pup near the other as a whole, then those of the other near these few.
+  const Real margin = search_radius(Real(0), reach);
+  const auto gather = [&](int pup, const Bounds<Real>& ball, const Real low[3], const Real high[3],
+                          Side& side) {
+    const std::size_t row = state.row(pup);
+    const Real* xyz[3] = {state.x.data() + row, state.y.data() + row, state.z.data() + row};
+    Region<Real> region{{}, search_radius(ball.radius, reach), {}, {}};
+    for (int axis = 0; axis < 3; ++axis) {
+      region.centre[axis] = ball.centre[axis];
+      region.low[axis] = widened(low[axis], -margin);
+      region.high[axis] = widened(high[axis], margin);
     }
+    side.make_room(state.stride);
+    state.kernels->gather(xyz, state.points, region, side.candidates);
+    return side.candidates.count > 0;
+  };
+  if (!gather(pair.first, b, b.low, b.high, first_)) return false;
+  if (!gather(pair.second, a, first_.candidates.low, first_.candidates.high, second_)) return false;
+  if (!state.kernels->touch(first_.candidates, second_.candidates, reach, first_.sums,
+                            second_.sums)) {
+    return false;
   }
-  return any;
+  merge(first_, state.row(pair.first), pair.second);
+  merge(second_, state.row(pair.second), pair.first);
+  return true;
 }
 
 template <class Real>
@@ -111,7 +108,7 @@ Status Contacts<Real>::apply(const Params& params, State<Real>& state) {
   for (const std::size_t i : list_) {
     const Touch& touch = touch_[i];
     if (touch.uppers == 0) continue;
-    const auto share = Real(1) / static_cast<Real>(touch.uppers);
+    const Real share = 1 / touch.uppers;
     state.x[i] += touch.push[0];
     state.y[i] += touch.push[1];
     state.z[i] += touch.push[2];

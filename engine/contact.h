@@ -26,32 +26,30 @@ class Contacts {
   Status resolve(const Params& params, bool afferents, State<Real>& state);
 
  private:
-  /// Points of one pup that may touch another pup, copied side by side.
-  struct Candidates {
-    AlignedVector<Real> x, y, z;
+  /// The points of one pup that may touch another, and what their contacts come to.
+  struct Side {
+    AlignedVector<Real> numbers;  // of all arrays below
     std::vector<int> point;
-    int count = 0;
+    Candidates<Real> candidates;
+    ContactSums<Real> sums;
+    void make_room(int stride);
   };
   /// What a point's contacts add up to.
   struct Touch {
     Real push[3];  // sum of (p_a - p_b)(2 r - d) where this point is the upper one
     Real pull[3];  // sum of (p_b - p_a) there
+    Real uppers;   // contacts in which this point is the upper one
     Real nearest;  // squared distance to the nearest touching point
-    int uppers;    // contacts in which this point is the upper one
-    int owner;     // pup of the nearest touching point, -1 before the first contact
+    int owner;     // pup of that point, -1 before the first contact
   };
 
-  void gather(const State<Real>& state, int pup, const Box<Real>& other, Real margin,
-              Candidates& candidates);
   bool touch_pair(const State<Real>& state, TouchingPair pair, Real reach);
-  void add_contact(const State<Real>& state, TouchingPair pair, int a, int b, Real d_squared,
-                   Real reach);
-  void note(std::size_t point, int owner, Real d_squared);
+  void merge(const Side& side, std::size_t row, int other);
   Status apply(const Params& params, State<Real>& state);
   void report(State<Real>& state) const;
 
   BroadPhase<Real> broad_phase_;
-  Candidates first_, second_;
+  Side first_, second_;
   std::vector<Touch> touch_;       // one per point, padding included
   std::vector<std::size_t> list_;  // points with a contact, in the order of their first
 };

@@ -1,28 +1,24 @@
-// A fixed-width bundle of numbers: 64 bytes, whatever the instruction set. Kernels add up in the
-// lanes of packs and reduce them in one fixed order, so the same bits come out of SSE2, AVX2,
-// AVX-512 or NEON.
+// A pack of numbers in registers. Only kernels.inl includes this, once per instruction set:
+// everything here has internal linkage, so that no copy compiled for one processor is ever run on
+// another.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
-#include <cstring>
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
+#include "engine/lanes.h"
+
 namespace pupflow {
+namespace {
 
-constexpr int kPackBytes = 64;
-
-/// Lanes of a pack: 16 floats or 8 doubles.
-template <class Real>
-constexpr int kLanes = kPackBytes / static_cast<int>(sizeof(Real));
-
-/// `count` rounded up to whole packs.
-template <class Real>
-constexpr int padded(int count) {
-  return (count + kLanes<Real> - 1) / kLanes<Real> * kLanes<Real>;
-}
+// Parts of a pack stay in registers only when loops over them are unrolled early.
+#if defined(__clang__)
+#define PUPFLOW_UNROLL _Pragma("unroll")
+#else
+#define PUPFLOW_UNROLL _Pragma("GCC unroll 16")
+#endif
 
 #if defined(__AVX512F__)
 constexpr int kNativeBytes = 64;
@@ -32,6 +28,15 @@ constexpr int kNativeBytes = 32;
 constexpr int kNativeBytes = 16;
 #endif
 
+template <class Real>
+Real root(Real value) {
+  if constexpr (sizeof(Real) == 4) {
+    return __builtin_sqrtf(value);
+  } else {
+    return __builtin_sqrt(value);
+  }
+}
+
 /// A native vector register. The wider pack is an array of these, which compilers keep in
 /// registers.
 template <class Real>
@@ -39,64 +44,83 @@ struct NativeVector;
 template <>
 struct NativeVector<float> {
   typedef float type __attribute__((vector_size(kNativeBytes)));
+  typedef float unaligned __attribute__((vector_size(kNativeBytes), aligned(4), may_alias));
 };
 template <>
 struct NativeVector<double> {
   typedef double type __attribute__((vector_size(kNativeBytes)));
+  typedef double unaligned __attribute__((vector_size(kNativeBytes), aligned(8), may_alias));
 };
 
 template <class Real>
 struct Pack {
   using Native = typename NativeVector<Real>::type;
+  using Unaligned = typename NativeVector<Real>::unaligned;
   static constexpr int kParts = kPackBytes / kNativeBytes;
   static constexpr int kNativeLanes = kNativeBytes / static_cast<int>(sizeof(Real));
   Native part[kParts];
 
   static Pack load(const Real* from) {  // any alignment
     Pack p;
-    std::memcpy(p.part, from, sizeof(p.part));
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) {
+      p.part[i] = *reinterpret_cast<const Unaligned*>(from + i * kNativeLanes);
+    }
     return p;
   }
-  void store(Real* to) const { std::memcpy(to, part, sizeof(part)); }
+  void store(Real* to) const {
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) {
+      *reinterpret_cast<Unaligned*>(to + i * kNativeLanes) = part[i];
+    }
+  }
 
   static Pack broadcast(Real value) {
     Pack p;
-    for (int i = 0; i < kParts; ++i) p.part[i] = Native{} + value;
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) p.part[i] = Native{} + value;
     return p;
   }
   static Pack zero() {
     Pack p;
-    for (int i = 0; i < kParts; ++i) p.part[i] = Native{};
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) p.part[i] = Native{};
     return p;
   }
 
   friend Pack operator+(Pack a, const Pack& b) {
-    for (int i = 0; i < kParts; ++i) a.part[i] += b.part[i];
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] += b.part[i];
     return a;
   }
   friend Pack operator-(Pack a, const Pack& b) {
-    for (int i = 0; i < kParts; ++i) a.part[i] -= b.part[i];
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] -= b.part[i];
     return a;
   }
   friend Pack operator*(Pack a, const Pack& b) {
-    for (int i = 0; i < kParts; ++i) a.part[i] *= b.part[i];
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] *= b.part[i];
     return a;
   }
   Pack& operator+=(const Pack& b) { return *this = *this + b; }
 
   friend Pack min(Pack a, const Pack& b) {  // b where a is not less
-    for (int i = 0; i < kParts; ++i) a.part[i] = a.part[i] < b.part[i] ? a.part[i] : b.part[i];
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] =
+        a.part[i] < b.part[i] ? a.part[i] : b.part[i];
     return a;
   }
   friend Pack max(Pack a, const Pack& b) {  // b where a is not greater
-    for (int i = 0; i < kParts; ++i) a.part[i] = a.part[i] > b.part[i] ? a.part[i] : b.part[i];
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] =
+        a.part[i] > b.part[i] ? a.part[i] : b.part[i];
     return a;
+  }
+
+  /// `yes` in the lanes where a is less than b, else `no`.
+  friend Pack select_less(const Pack& a, const Pack& b, Pack yes, const Pack& no) {
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) {
+      yes.part[i] = a.part[i] < b.part[i] ? yes.part[i] : no.part[i];
+    }
+    return yes;
   }
 
   /// Bit i is set where lane i of `a` is less than lane i of `b`.
   friend std::uint32_t less_bits(const Pack& a, const Pack& b) {
     std::uint32_t bits = 0;
-    for (int i = 0; i < kParts; ++i) {
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) {
       bits |= native_less_bits(a.part[i], b.part[i]) << (i * kNativeLanes);
     }
     return bits;
@@ -113,6 +137,11 @@ struct Pack {
     return fold([](Real a, Real b) { return a > b ? a : b; });
   }
 
+  friend Pack sqrt(Pack a) {
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] = native_sqrt(a.part[i]);
+    return a;
+  }
+
  private:
   template <class Operation>
   Real fold(Operation operation) const {
@@ -122,6 +151,31 @@ struct Pack {
       for (int i = 0; i < width; ++i) lane[i] = operation(lane[i], lane[i + width]);
     }
     return lane[0];
+  }
+
+  static Native native_sqrt(Native a) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(Real) == 4) {
+      return Native(_mm512_sqrt_ps(__m512(a)));
+    } else {
+      return Native(_mm512_sqrt_pd(__m512d(a)));
+    }
+#elif defined(__AVX__)
+    if constexpr (sizeof(Real) == 4) {
+      return Native(_mm256_sqrt_ps(__m256(a)));
+    } else {
+      return Native(_mm256_sqrt_pd(__m256d(a)));
+    }
+#elif defined(__SSE2__)
+    if constexpr (sizeof(Real) == 4) {
+      return Native(_mm_sqrt_ps(__m128(a)));
+    } else {
+      return Native(_mm_sqrt_pd(__m128d(a)));
+    }
+#else
+    for (int i = 0; i < kNativeLanes; ++i) a[i] = root(a[i]);
+    return a;
+#endif
   }
 
   static std::uint32_t native_less_bits(Native a, Native b) {
@@ -151,4 +205,5 @@ struct Pack {
   }
 };
 
+}  // namespace
 }  // namespace pupflow

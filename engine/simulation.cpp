@@ -48,8 +48,8 @@ class Simulation::Model {
 template <class Real>
 class Simulation::LitterModel final : public Simulation::Model {
  public:
-  explicit LitterModel(const Params& p)
-      : Model(p), state_(make_state<Real>(p.pups, points_per_pup(p))) {
+  LitterModel(const Params& p, InstructionSet set)
+      : Model(p), state_(make_state<Real>(p.pups, points_per_pup(p), set)) {
     const auto rest = cube_sphere(p.face_points, p.pup_radius);
     cloud_ = std::make_shared<const Cloud<Real>>(make_cloud<Real>(rest));
     lay_out(p, rest, state_);
@@ -145,12 +145,12 @@ void require_pup(int pup, int pups) {
 
 }  // namespace
 
-Simulation::Simulation(const Params& params) {
+Simulation::Simulation(const Params& params, InstructionSet set) {
   require_sound(params);
   if (params.precision == Precision::float_) {
-    model_ = std::make_unique<LitterModel<float>>(params);
+    model_ = std::make_unique<LitterModel<float>>(params, set);
   } else {
-    model_ = std::make_unique<LitterModel<double>>(params);
+    model_ = std::make_unique<LitterModel<double>>(params, set);
   }
 }
 

@@ -21,7 +21,9 @@ namespace pupflow {
 class Simulation {
  public:
   /// The litter of `params` at t = 0. Throws InvalidParams when `check(params)` finds a problem.
-  explicit Simulation(const Params& params);
+  /// Results do not depend on the instruction set, which must be a supported one (kernels.h).
+  explicit Simulation(const Params& params,
+                      InstructionSet set = supported_instruction_sets().back());
   Simulation(const Simulation& other);
   Simulation(Simulation&& other) noexcept;
   Simulation& operator=(const Simulation& other);

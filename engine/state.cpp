@@ -2,14 +2,15 @@
 
 #include <bit>
 
-#include "engine/pack.h"
+#include "engine/lanes.h"
 #include "engine/rng.h"
 
 namespace pupflow {
 
 template <class Real>
-State<Real> make_state(int pups, int points) {
+State<Real> make_state(int pups, int points, InstructionSet set) {
   State<Real> state;
+  state.kernels = &kernels_for<Real>(set);
   state.pups = pups;
   state.points = points;
   state.stride = padded<Real>(points);
@@ -26,23 +27,10 @@ State<Real> make_state(int pups, int points) {
 
 template <class Real>
 bool update_bounds(State<Real>& state, int pup) {
-  using P = Pack<Real>;
-  const Real* component[3] = {state.x.data() + state.row(pup), state.y.data() + state.row(pup),
-                              state.z.data() + state.row(pup)};
-  Box<Real>& box = state.bounds[pup];
-  P stays_zero = P::zero();  // x - x is NaN for infinite and NaN
-  for (int axis = 0; axis < 3; ++axis) {
-    P low = P::load(component[axis]), high = low;
-    for (int i = 0; i < state.stride; i += kLanes<Real>) {
-      const P value = P::load(component[axis] + i);
-      low = min(value, low);
-      high = max(value, high);
-      stays_zero += value - value;
-    }
-    box.low[axis] = low.least();
-    box.high[axis] = high.greatest();
-  }
-  return stays_zero.sum() == 0;
+  const std::size_t row = state.row(pup);
+  const Real* xyz[3] = {state.x.data() + row, state.y.data() + row, state.z.data() + row};
+  Bounds<Real>& b = state.bounds[pup];
+  return state.kernels->bounds(xyz, state.stride, b.low, b.high, b.centre, &b.radius);
 }
 
 template <class Real>
@@ -69,8 +57,8 @@ std::uint64_t hash_state(const State<Real>& state) {
 
 template struct State<float>;
 template struct State<double>;
-template State<float> make_state<float>(int, int);
-template State<double> make_state<double>(int, int);
+template State<float> make_state<float>(int, int, InstructionSet);
+template State<double> make_state<double>(int, int, InstructionSet);
 template bool update_bounds<float>(State<float>&, int);
 template bool update_bounds<double>(State<double>&, int);
 template std::uint64_t hash_state<float>(const State<float>&);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/aligned.h"
+#include "engine/kernels.h"
 
 namespace pupflow {
 
@@ -14,10 +15,11 @@ struct TouchingPair {
   friend bool operator==(const TouchingPair&, const TouchingPair&) = default;
 };
 
-/// An axis-aligned box.
+/// What encloses a pup's points: a box, and a ball round the middle of the box.
 template <class Real>
-struct Box {
+struct Bounds {
   Real low[3], high[3];
+  Real centre[3], radius;
 };
 
 /// Everything that the future of a litter depends on, and what the last step found out. Point i of
@@ -31,7 +33,7 @@ struct State {
   int stride = 0;  // points padded to whole packs
   AlignedVector<Real> x, y, z;
   AlignedVector<Real> vx, vy, vz;
-  std::vector<Box<Real>> bounds;  // one per pup, round all its points (and its padding)
+  std::vector<Bounds<Real>> bounds;  // one per pup, round all its points (and its padding)
 
   // Per pup. Double in either precision: there are few of them.
   std::vector<double> tb;       // body temperature T_b
@@ -42,6 +44,8 @@ struct State {
   std::vector<int> touched;  // pup of the nearest touching point or -1; element j * points + i
   std::vector<TouchingPair> touching;  // sorted
 
+  const Kernels<Real>* kernels = nullptr;  // the loops over these arrays, for this processor
+
   std::int64_t step = 0;
   double time = 0;
 
@@ -49,9 +53,10 @@ struct State {
   std::size_t flat(int pup) const { return static_cast<std::size_t>(pup) * points; }
 };
 
-/// A litter at rest with all points at the origin.
+/// A litter at rest with all points at the origin, stepped by the kernels of `set`.
 template <class Real>
-State<Real> make_state(int pups, int points);
+State<Real> make_state(int pups, int points,
+                       InstructionSet set = supported_instruction_sets().back());
 
 /// Recomputes `bounds[pup]`. Returns false when a coordinate of the pup is not finite.
 template <class Real>

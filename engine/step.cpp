@@ -16,7 +16,7 @@ Status finish_motion(const Params& params, State<Real>& state, Stage stage) {
   const double suspect = kSuspectRadii * params.pup_radius;
   for (int pup = 0; pup < state.pups; ++pup) {
     const bool finite = update_bounds(state, pup);
-    const Box<Real>& box = state.bounds[pup];
+    const Bounds<Real>& box = state.bounds[pup];
     bool small = true;
     for (int axis = 0; axis < 3; ++axis) {
       small = small &&

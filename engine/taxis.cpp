@@ -1,26 +1,18 @@
 #include "engine/taxis.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "engine/elementary.h"
-#include "engine/pack.h"
 
 namespace pupflow {
 namespace {
 
 /// Mean of one component over a pup's points.
 template <class Real>
-Real mean_of(const Cloud<Real>& cloud, const Real* component) {
-  using P = Pack<Real>;
-  const Real* weight = cloud.mode_row(kMeanMode);
-  P sum = P::zero();
-  for (int i = 0; i < cloud.stride; i += kLanes<Real>) {
-    sum += P::load(weight + i) * P::load(component + i);
-  }
-  return sum.sum();
+Real mean_of(const Cloud<Real>& cloud, const State<Real>& state, const Real* component) {
+  return state.kernels->dot(cloud.mode_row(kMeanMode), component, cloud.stride);
 }
 
 /// The exponent sigma t (t_p - t_b), finite whatever overflows on the way.
@@ -38,34 +30,27 @@ struct Side {
   double mean(double ta) const { return points > 0 ? ta + sum / points : ta; }
 };
 
-/// Side temperatures about `direction`. `may_be_left` masks the points of the first pack.
+/// Side temperatures about `direction`. With `first_on_axis` the first point is not on the left.
 template <class Real>
 SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
                                const State<Real>& state, int pup, double direction,
-                               std::uint32_t may_be_left) {
-  using P = Pack<Real>;
+                               bool first_on_axis) {
   const Real* x = state.x.data() + state.row(pup);
   const Real* y = state.y.data() + state.row(pup);
   const int* touched = state.touched.data() + state.flat(pup);
-  const P cx = P::broadcast(mean_of(cloud, x)), cy = P::broadcast(mean_of(cloud, y));
+  const Real cx = mean_of(cloud, state, x), cy = mean_of(cloud, state, y);
   const SinCos axis = sincos_fixed(direction);
-  const P cosine = P::broadcast(static_cast<Real>(axis.cos));
-  const P sine = P::broadcast(static_cast<Real>(axis.sin));
+  const Real cosine = static_cast<Real>(axis.cos), sine = static_cast<Real>(axis.sin);
+  const auto across = [&](int i) { return cosine * (y[i] - cy) - sine * (x[i] - cx); };
   Side left, right;
-  for (int block = 0; block < state.points; block += kLanes<Real>) {
-    const P across = cosine * (P::load(y + block) - cy) - sine * (P::load(x + block) - cx);
-    const int count = std::min(kLanes<Real>, state.points - block);
-    std::uint32_t is_left = less_bits(P::zero(), across) & ((1u << count) - 1);
-    if (block == 0) is_left &= may_be_left;
-    left.points += std::popcount(is_left);
-    for (int i = 0; i < count; ++i) {
-      const int other = touched[block + i];
-      if (other < 0) continue;
-      Side& side = (is_left >> i & 1) != 0 ? left : right;
-      side.sum += state.tb[other] - params.ta;
-    }
-  }
+  left.points = state.kernels->count_left(x, y, state.points, cx, cy, cosine, sine);
+  if (first_on_axis && across(0) > 0) --left.points;
   right.points = state.points - left.points;
+  for (int i = 0; i < state.points; ++i) {
+    if (touched[i] < 0) continue;
+    const bool is_left = across(i) > 0 && !(first_on_axis && i == 0);
+    (is_left ? left : right).sum += state.tb[touched[i]] - params.ta;
+  }
   return {left.mean(params.ta), right.mean(params.ta)};
 }
 
@@ -85,20 +70,20 @@ double body_axis(const Cloud<Real>& cloud, const State<Real>& state, int pup) {
   const std::size_t row = state.row(pup);
   const Real* x = state.x.data() + row;
   const Real* y = state.y.data() + row;
-  return atan2_fixed(static_cast<double>(mean_of(cloud, y) - y[0]),
-                     static_cast<double>(mean_of(cloud, x) - x[0]));
+  return atan2_fixed(static_cast<double>(mean_of(cloud, state, y) - y[0]),
+                     static_cast<double>(mean_of(cloud, state, x) - x[0]));
 }
 
 template <class Real>
 SideTemperatures side_temperatures(const Params& params, const Cloud<Real>& cloud,
                                    const State<Real>& state, int pup, double direction) {
-  return measure_sides(params, cloud, state, pup, direction, ~0u);
+  return measure_sides(params, cloud, state, pup, direction, false);
 }
 
 template <class Real>
 SideTemperatures body_side_temperatures(const Params& params, const Cloud<Real>& cloud,
                                         const State<Real>& state, int pup) {
-  return measure_sides(params, cloud, state, pup, body_axis(cloud, state, pup), ~1u);
+  return measure_sides(params, cloud, state, pup, body_axis(cloud, state, pup), true);
 }
 
 template <class Real>

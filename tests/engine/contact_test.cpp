@@ -170,7 +170,7 @@ TEST(BroadPhase, FindsAllOverlapsSorted) {
   Rng random(3);
   BroadPhase<double> broad_phase;
   for (int round = 0; round < 20; ++round) {
-    std::vector<Box<double>> boxes(40);
+    std::vector<Bounds<double>> boxes(40);
     for (auto& box : boxes) {
       for (int axis = 0; axis < 3; ++axis) {
         box.low[axis] = random.uniform(0, 3);

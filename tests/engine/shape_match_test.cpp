@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "engine/pack.h"
 #include "engine/rng.h"
 
 namespace pupflow {

@@ -60,7 +60,7 @@ TEST(Boundary, BoundsStayTrue) {
   State<float> state = scattered<float>(2);
   apply_boundaries(Params{}, state);
   for (int pup = 0; pup < state.pups; ++pup) {
-    const Box<float> box = state.bounds[pup];
+    const Bounds<float> box = state.bounds[pup];
     for (std::size_t k = state.row(pup); k < state.row(pup) + state.stride; ++k) {
       ASSERT_GE(state.x[k], box.low[0]);
       ASSERT_LE(state.x[k], box.high[0]);

@@ -1,0 +1,81 @@
+// The loops over points, compiled once for each instruction set and chosen when a litter is made.
+// All versions give the same bits: packs have one width and one order of folding (lanes.h), and
+// nothing is contracted.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace pupflow {
+
+enum class InstructionSet { baseline, avx2, avx512 };
+
+/// "baseline" (SSE2 on x86-64, NEON on arm64), "avx2" or "avx512".
+std::string_view instruction_set_name(InstructionSet set);
+
+/// What this processor and this build can use, best last. Never empty.
+std::span<const InstructionSet> supported_instruction_sets();
+
+/// Where to look for points: inside a ball and a box.
+template <class Real>
+struct Region {
+  Real centre[3], radius;
+  Real low[3], high[3];
+};
+
+/// Points copied side by side for a search: coordinates, where they came from, the box round them.
+template <class Real>
+struct Candidates {
+  Real *x, *y, *z;  // room for whole packs
+  int* point;
+  int count;
+  Real low[3], high[3];
+};
+
+/// What the contacts of each candidate with the other pup's come to.
+template <class Real>
+struct ContactSums {
+  Real *push[3],
+      *pull[3];   // sums of (p_a - p_b)(reach - d) and of (p_b - p_a) where it is the upper one
+  Real* uppers;   // how many contacts those are
+  Real* nearest;  // squared distance to the nearest touching point; infinite without contact
+};
+
+/// Arrays hold `stride` numbers, whole packs. xyz are three such rows; functions that say so leave
+/// the padding out.
+template <class Real>
+struct Kernels {
+  /// Box round all points, its middle, and the largest distance from there. False when a coordinate
+  /// is not finite.
+  bool (*bounds)(const Real* const xyz[3], int stride, Real low[3], Real high[3], Real centre[3],
+                 Real* radius);
+  /// v_z <- |v_z|, z <- r where z < r.
+  void (*floor)(Real r, int stride, Real* z, Real* vz);
+  /// v <- v + gain, x <- x + h v.
+  void (*predict)(Real h, Real gain, int stride, Real* x, Real* v);
+  /// sums[m] = sum over points of mode m times (xyz - first point), for modes 0 ... count - 1 of
+  /// `modes`.
+  void (*fit)(const Real* modes, int count, int stride, const Real* const xyz[3], Real sums[][3]);
+  /// With d = sum of goal[m] mode[m] - (x - x[0]): x <- x + position_share d, v <- v +
+  /// velocity_share d.
+  void (*pull)(const Real* modes, int count, int stride, const Real* goal, Real position_share,
+               Real velocity_share, Real* x, Real* v);
+  /// Sum of a[i] b[i].
+  Real (*dot)(const Real* a, const Real* b, int stride);
+  /// How many of the first `points` points have cosine (y - cy) - sine (x - cx) > 0.
+  int (*count_left)(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosine,
+                    Real sine);
+  /// Copies the points inside the region to `out`, in order, and pads them with points far away.
+  void (*gather)(const Real* const xyz[3], int points, const Region<Real>& region,
+                 Candidates<Real>& out);
+  /// Contacts between two pups' candidates: pairs nearer than `reach`. At equal heights `a` is the
+  /// upper one. Returns whether there is any.
+  bool (*touch)(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
+                ContactSums<Real>& sums_a, ContactSums<Real>& sums_b);
+};
+
+/// The loops for one instruction set, which must be supported.
+template <class Real>
+const Kernels<Real>& kernels_for(InstructionSet set);
+
+}  // namespace pupflow

@@ -1,0 +1,264 @@
+// Bodies of the kernels. Each kernels_*.cpp includes this once, compiled for its instruction set,
+// after defining PUPFLOW_KERNELS as the name of its table.
+#include <bit>
+#include <limits>
+
+#include "engine/kernels.h"
+#include "engine/pack.h"
+
+namespace pupflow {
+namespace {
+
+template <class Real>
+bool bounds(const Real* const xyz[3], int stride, Real low[3], Real high[3], Real centre[3],
+            Real* radius) {
+  using P = Pack<Real>;
+  P stays_zero = P::zero();  // x - x is NaN for infinite and NaN
+  for (int axis = 0; axis < 3; ++axis) {
+    P least = P::load(xyz[axis]), greatest = least;
+    for (int i = 0; i < stride; i += kLanes<Real>) {
+      const P value = P::load(xyz[axis] + i);
+      least = min(value, least);
+      greatest = max(value, greatest);
+      stays_zero += value - value;
+    }
+    low[axis] = least.least();
+    high[axis] = greatest.greatest();
+    centre[axis] = low[axis] / 2 + high[axis] / 2;
+  }
+  P furthest = P::zero();
+  const P cx = P::broadcast(centre[0]), cy = P::broadcast(centre[1]), cz = P::broadcast(centre[2]);
+  for (int i = 0; i < stride; i += kLanes<Real>) {
+    const P dx = P::load(xyz[0] + i) - cx, dy = P::load(xyz[1] + i) - cy,
+            dz = P::load(xyz[2] + i) - cz;
+    furthest = max(dx * dx + dy * dy + dz * dz, furthest);
+  }
+  *radius = root(furthest.greatest());
+  return stays_zero.sum() == 0;
+}
+
+template <class Real>
+void floor(Real r, int stride, Real* z, Real* vz) {
+  using P = Pack<Real>;
+  const P height = P::broadcast(r), zero = P::zero();
+  for (int i = 0; i < stride; i += kLanes<Real>) {
+    const P here = P::load(z + i), speed = P::load(vz + i);
+    if (less_bits(here, height) == 0) continue;
+    select_less(here, height, max(speed, zero - speed), speed).store(vz + i);
+    select_less(here, height, height, here).store(z + i);
+  }
+}
+
+template <class Real>
+void predict(Real h, Real gain, int stride, Real* x, Real* v) {
+  using P = Pack<Real>;
+  const P step = P::broadcast(h), more = P::broadcast(gain);
+  for (int i = 0; i < stride; i += kLanes<Real>) {
+    const P faster = P::load(v + i) + more;
+    faster.store(v + i);
+    (P::load(x + i) + step * faster).store(x + i);
+  }
+}
+
+/// Several modes at a time share the loads; how many does not change a bit of any sum.
+template <int Count, class Real>
+void fit_some(const Real* modes, int stride, const Real* const xyz[3], Real sums[][3]) {
+  using P = Pack<Real>;
+  P sum[Count][3];
+  for (auto& mode : sum) mode[0] = mode[1] = mode[2] = P::zero();
+  const P ox = P::broadcast(xyz[0][0]), oy = P::broadcast(xyz[1][0]), oz = P::broadcast(xyz[2][0]);
+  for (int i = 0; i < stride; i += kLanes<Real>) {
+    const P x = P::load(xyz[0] + i) - ox;
+    const P y = P::load(xyz[1] + i) - oy;
+    const P z = P::load(xyz[2] + i) - oz;
+    PUPFLOW_UNROLL for (int m = 0; m < Count; ++m) {
+      const P mode = P::load(modes + m * stride + i);
+      sum[m][0] += mode * x;
+      sum[m][1] += mode * y;
+      sum[m][2] += mode * z;
+    }
+  }
+  for (int m = 0; m < Count; ++m) {
+    for (int axis = 0; axis < 3; ++axis) sums[m][axis] = sum[m][axis].sum();
+  }
+}
+
+template <class Real>
+void fit(const Real* modes, int count, int stride, const Real* const xyz[3], Real sums[][3]) {
+  constexpr int kTogether = kNativeBytes == 64 ? 3 : kNativeBytes == 32 ? 2 : 1;  // by registers
+  int m = 0;
+  for (; m + kTogether <= count; m += kTogether) {
+    fit_some<kTogether>(modes + m * stride, stride, xyz, sums + m);
+  }
+  for (; m < count; ++m) fit_some<1>(modes + m * stride, stride, xyz, sums + m);
+}
+
+template <int Count, class Real>
+void pull_some(const Real* modes, int stride, const Real* goal, Real position_share,
+               Real velocity_share, Real* x, Real* v) {
+  using P = Pack<Real>;
+  const P xs = P::broadcast(position_share), vs = P::broadcast(velocity_share);
+  const P origin = P::broadcast(x[0]), centre = P::broadcast(goal[0]);
+  for (int i = 0; i < stride; i += kLanes<Real>) {
+    const P here = P::load(x + i);
+    P d = centre - (here - origin);
+    PUPFLOW_UNROLL for (int m = 1; m < Count; ++m) {
+      d += P::broadcast(goal[m]) * P::load(modes + m * stride + i);
+    }
+    (here + xs * d).store(x + i);
+    (P::load(v + i) + vs * d).store(v + i);
+  }
+}
+
+template <class Real>
+void pull(const Real* modes, int count, int stride, const Real* goal, Real position_share,
+          Real velocity_share, Real* x, Real* v) {
+  if (count == 4) {
+    pull_some<4>(modes, stride, goal, position_share, velocity_share, x, v);
+  } else {
+    pull_some<9>(modes, stride, goal, position_share, velocity_share, x, v);
+  }
+}
+
+template <class Real>
+Real dot(const Real* a, const Real* b, int stride) {
+  using P = Pack<Real>;
+  P sum = P::zero();
+  for (int i = 0; i < stride; i += kLanes<Real>) sum += P::load(a + i) * P::load(b + i);
+  return sum.sum();
+}
+
+template <class Real>
+int count_left(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosine, Real sine) {
+  using P = Pack<Real>;
+  const P px = P::broadcast(cx), py = P::broadcast(cy), c = P::broadcast(cosine),
+          s = P::broadcast(sine);
+  int count = 0;
+  for (int i = 0; i < points; i += kLanes<Real>) {
+    const P across = c * (P::load(y + i) - py) - s * (P::load(x + i) - px);
+    const int left = points - i;
+    const std::uint32_t real = left >= kLanes<Real> ? ~0u : (1u << left) - 1;
+    count += std::popcount(less_bits(P::zero(), across) & real);
+  }
+  return count;
+}
+
+template <class Real>
+void gather(const Real* const xyz[3], int points, const Region<Real>& region,
+            Candidates<Real>& out) {
+  using P = Pack<Real>;
+  P centre[3], low[3], high[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    centre[axis] = P::broadcast(region.centre[axis]);
+    low[axis] = P::broadcast(region.low[axis]);
+    high[axis] = P::broadcast(region.high[axis]);
+    out.low[axis] = std::numeric_limits<Real>::infinity();
+    out.high[axis] = -std::numeric_limits<Real>::infinity();
+  }
+  const P limit = P::broadcast(region.radius * region.radius);
+  int count = 0;
+  for (int i = 0; i < points; i += kLanes<Real>) {
+    const P p[3] = {P::load(xyz[0] + i), P::load(xyz[1] + i), P::load(xyz[2] + i)};
+    const P dx = p[0] - centre[0], dy = p[1] - centre[1], dz = p[2] - centre[2];
+    const int left = points - i;
+    std::uint32_t bits = left >= kLanes<Real> ? ~0u : (1u << left) - 1;
+    bits &= less_bits(dx * dx + dy * dy + dz * dz, limit);
+    if (bits == 0) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      bits &= less_bits(low[axis], p[axis]) & less_bits(p[axis], high[axis]);
+    }
+    for (; bits != 0; bits &= bits - 1) {
+      const int point = i + std::countr_zero(bits);
+      Real* const to[3] = {out.x, out.y, out.z};
+      for (int axis = 0; axis < 3; ++axis) {
+        const Real value = xyz[axis][point];
+        to[axis][count] = value;
+        out.low[axis] = value < out.low[axis] ? value : out.low[axis];
+        out.high[axis] = value > out.high[axis] ? value : out.high[axis];
+      }
+      out.point[count++] = point;
+    }
+  }
+  out.count = count;
+  for (int i = count; i < padded<Real>(count); ++i) {
+    out.x[i] = Real(1e18);  // near nobody, and its square is finite
+    out.y[i] = out.z[i] = 0;
+  }
+}
+
+template <class Real>
+void clear(ContactSums<Real>& sums, int count) {
+  for (int i = 0; i < padded<Real>(count); ++i) {
+    for (int axis = 0; axis < 3; ++axis) sums.push[axis][i] = sums.pull[axis][i] = 0;
+    sums.uppers[i] = 0;
+    sums.nearest[i] = std::numeric_limits<Real>::infinity();
+  }
+}
+
+template <class Real>
+void add(Real* to, const Pack<Real>& value) {
+  (Pack<Real>::load(to) + value).store(to);
+}
+
+template <class Real>
+bool touch(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
+           ContactSums<Real>& sums_a, ContactSums<Real>& sums_b) {
+  using P = Pack<Real>;
+  const P zero = P::zero(), one = P::broadcast(1), range = P::broadcast(reach);
+  const P limit = P::broadcast(reach * reach),
+          nobody = P::broadcast(std::numeric_limits<Real>::infinity());
+  clear(sums_a, a.count);
+  clear(sums_b, b.count);
+  bool any = false;
+  for (int i = 0; i < a.count; ++i) {
+    const P x = P::broadcast(a.x[i]), y = P::broadcast(a.y[i]), z = P::broadcast(a.z[i]);
+    P push[3] = {zero, zero, zero}, pull[3] = {zero, zero, zero}, uppers = zero, nearest = nobody;
+    bool hit = false;
+    for (int j = 0; j < b.count; j += kLanes<Real>) {
+      const P e[3] = {x - P::load(b.x + j), y - P::load(b.y + j), z - P::load(b.z + j)};
+      const P d_squared = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+      if (less_bits(d_squared, limit) == 0) continue;
+      hit = true;
+      // Where they touch, either a or b is the upper one; the other's share is zero.
+      const P gap = select_less(d_squared, limit, range - sqrt(d_squared), zero);
+      const P touches = select_less(d_squared, limit, one, zero);
+      const P gap_b = select_less(e[2], zero, gap, zero),
+              upper_b = select_less(e[2], zero, touches, zero);
+      const P gap_a = gap - gap_b, upper_a = touches - upper_b;
+      const P near = select_less(d_squared, limit, d_squared, nobody);
+      for (int axis = 0; axis < 3; ++axis) {
+        push[axis] += e[axis] * gap_a;
+        pull[axis] += e[axis] * upper_a;
+        add(sums_b.push[axis] + j, zero - e[axis] * gap_b);
+        add(sums_b.pull[axis] + j, e[axis] * upper_b);
+      }
+      uppers += upper_a;
+      add(sums_b.uppers + j, upper_b);
+      nearest = min(near, nearest);
+      min(near, P::load(sums_b.nearest + j)).store(sums_b.nearest + j);
+    }
+    if (!hit) continue;
+    any = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      sums_a.push[axis][i] = push[axis].sum();
+      sums_a.pull[axis][i] = -pull[axis].sum();
+    }
+    sums_a.uppers[i] = uppers.sum();
+    sums_a.nearest[i] = nearest.least();
+  }
+  return any;
+}
+
+template <class Real>
+constexpr Kernels<Real> kTable{bounds<Real>,     floor<Real>,  predict<Real>,
+                               fit<Real>,        pull<Real>,   dot<Real>,
+                               count_left<Real>, gather<Real>, touch<Real>};
+
+}  // namespace
+
+extern const Kernels<float> PUPFLOW_KERNELS(float);
+extern const Kernels<double> PUPFLOW_KERNELS(double);
+const Kernels<float> PUPFLOW_KERNELS(float) = kTable<float>;
+const Kernels<double> PUPFLOW_KERNELS(double) = kTable<double>;
+
+}  // namespace pupflow

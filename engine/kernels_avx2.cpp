@@ -1,0 +1,3 @@
+// The kernels for one instruction set; its compiler flags stand in CMakeLists.txt.
+#define PUPFLOW_KERNELS(Real) k_avx2_##Real
+#include "engine/kernels.inl"

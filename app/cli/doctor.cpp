@@ -16,14 +16,10 @@ struct Options {
 };
 
 std::vector<Row> build_rows() {
-  std::string features;
-  for (const std::string& feature : cpu_features())
-    features += (features.empty() ? "" : " ") + feature;
   return {{"version", PUPFLOW_VERSION},
           {"compiler", compiler_words() + ", " + PUPFLOW_BUILD_TYPE + " build"},
-          {"built for", built_for()},
           {"processor", cpu_name()},
-          {"it offers", features.empty() ? "unknown" : features},
+          {"kernels", kernel_words()},
           {"threads", std::to_string(std::thread::hardware_concurrency())}};
 }
 
@@ -42,6 +38,9 @@ void work(const Options& options) {
   io::set_up(options.common.settings);  // checked like everywhere
   std::vector<Row> rows = build_rows();
   std::vector<std::string> advice;
+  const bool plots = is_program("gnuplot");
+  rows.push_back({"figures", plots ? "gnuplot found" : "no gnuplot"});
+  if (!plots) advice.emplace_back("the figures of sweeps need gnuplot: apt install gnuplot-nox");
   try {
     pictures::Graphics& graphics = load_graphics();
     rows.push_back({"graphics", "module loaded"});

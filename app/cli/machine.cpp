@@ -1,7 +1,12 @@
 #include "app/cli/machine.h"
 
+#include <unistd.h>
+
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
+
+#include "engine/kernels.h"
 
 namespace pupflow::cli {
 namespace {
@@ -28,24 +33,14 @@ std::string compiler_words() {
 #endif
 }
 
-std::string built_for() {
-  std::string sets;
-#if defined(__SSE2__)
-  sets += " SSE2";
-#endif
-#if defined(__AVX2__)
-  sets += " AVX2";
-#endif
-#if defined(__FMA__)
-  sets += " FMA";
-#endif
-#if defined(__AVX512F__)
-  sets += " AVX-512";
-#endif
-#if defined(__ARM_NEON)
-  sets += " NEON";
-#endif
-  return sets.empty() ? "scalar" : sets.substr(1);
+std::string kernel_words() {
+  std::string others;
+  const auto sets = supported_instruction_sets();
+  for (const InstructionSet set : sets) {
+    others += (others.empty() ? "" : ", ") + std::string(instruction_set_name(set));
+  }
+  return std::string(instruction_set_name(sets.back())) + " (of " + others +
+         "; the results are the same)";
 }
 
 std::string cpu_name() {
@@ -53,22 +48,13 @@ std::string cpu_name() {
   return name.empty() ? "unknown" : name;
 }
 
-std::vector<std::string> cpu_features() {
-  std::string flags = cpuinfo("flags");            // x86
-  if (flags.empty()) flags = cpuinfo("Features");  // ARM
-  const std::pair<std::string, std::string> wanted[] = {{"sse2", "SSE2"},
-                                                        {"avx2", "AVX2"},
-                                                        {"fma", "FMA"},
-                                                        {"avx512f", "AVX-512"},
-                                                        {"asimd", "NEON"}};
-  std::vector<std::string> found;
-  std::istringstream words(flags);
-  for (std::string word; words >> word;) {
-    for (const auto& [flag, name] : wanted) {
-      if (word == flag) found.push_back(name);
-    }
+bool is_program(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (::access((folder + "/" + name).c_str(), X_OK) == 0) return true;
   }
-  return found;
+  return false;
 }
 
 }  // namespace pupflow::cli

@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+
+#include "tests/study/sweep_program.h"
+
+namespace pupflow::study::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class Merge : public SweepProgram {
+ protected:
+  static Words sweep(const std::string& out, const Words& more = {}) {
+    Words words{"--vary", "ta=0:1:5", "--seeds", "4", "--out", out};
+    words.insert(words.end(), more.begin(), more.end());
+    return small("sweep", words);
+  }
+  void compute_shards() const {
+    for (const std::string i : {"1", "2", "3"}) {
+      expect(0, sweep("s" + i, {"--shard", i + "/3"}));
+    }
+  }
+};
+
+TEST_F(Merge, GivesTheBytesOfTheWholeSweep) {
+  compute_shards();
+  EXPECT_THAT(names_of(path("s1")), ElementsAre("manifest.toml", "runs.csv"));
+  expect(0, {"merge", "s2", "s3", "s1", "--out", "merged"});  // in any order
+  expect(0, sweep("whole"));
+  EXPECT_EQ(files_of(path("merged")), files_of(path("whole")));
+  const Outcome again = pupflow(sweep("merged"));
+  EXPECT_THAT(again.out, HasSubstr("20 runs were there already"));
+}
+
+TEST_F(Merge, RefusesWhatIsNotCompleteOrDoesNotBelongTogether) {
+  compute_shards();
+  expect(0, sweep("other", {"--shard", "3/3", "--set", "beta=0.1"}));
+  expect(0, sweep("half", {"--shard", "2/2"}));
+  expect(0, sweep("whole"));
+  const auto refused = [&](Words folders) {
+    folders.insert(folders.begin(), "merge");
+    folders.insert(folders.end(), {"--out", "merged"});
+    return expect(2, folders);
+  };
+  EXPECT_THAT(refused({"s1", "s3"}), HasSubstr("of 3 shards these are missing: 2"));
+  EXPECT_THAT(refused({"s1"}), HasSubstr("missing: 2, 3"));
+  EXPECT_THAT(refused({"s1", "s2", "s2"}), HasSubstr("s2: is shard 2, and so is s2"));
+  EXPECT_THAT(refused({"s1", "s2", "other"}),
+              AllOf(HasSubstr("other: belongs to another sweep"), HasSubstr("'beta = 0.1'")));
+  EXPECT_THAT(refused({"s1", "half", "s3"}), HasSubstr("is one of 2 shards"));
+  EXPECT_THAT(refused({"whole", "s1", "s2", "s3"}), HasSubstr("is one of 3 shards"));
+  EXPECT_THAT(refused({}), HasSubstr("FOLDER"));
+  expect(2, {"merge", "s1", "s2", "s3"});  // --out is missing
+  expect(4, {"merge", "s1", "nowhere", "s3", "--out", "merged"});
+  EXPECT_FALSE(std::filesystem::exists(path("merged")));
+}
+
+TEST_F(Merge, RefusesUnfinishedAndDamagedShards) {
+  compute_shards();
+  const auto merge = [&] { return expect(2, {"merge", "s1", "s2", "s3", "--out", "merged"}); };
+  const std::string runs = contents(path("s2/runs.csv"));
+  scratch_.file("s2/runs.csv", runs.substr(0, runs.rfind('\n', runs.size() - 2) + 1));
+  EXPECT_THAT(merge(), AllOf(HasSubstr("s2/runs.csv"), HasSubstr("holds 6 of 7 runs")));
+  std::filesystem::remove(path("s2/runs.csv"));
+  scratch_.file("s2/journal.csv", "");
+  EXPECT_THAT(merge(), HasSubstr("s2: is not finished"));
+}
+
+TEST_F(Merge, DoesNotOverwriteAnotherSweepUnlessForced) {
+  compute_shards();
+  expect(0, sweep("s", {"--set", "beta=0.1"}));
+  EXPECT_THAT(expect(2, {"merge", "s1", "s2", "s3", "--out", "s"}),
+              HasSubstr("'beta = 0.1' there"));
+  EXPECT_THAT(expect(2, {"merge", "s1", "s2", "s3", "--out", "s1"}), HasSubstr("'shard ="));
+  expect(0, {"merge", "s1", "s2", "s3", "--out", "s", "--force", "--quiet"});
+  expect(0, sweep("whole"));
+  EXPECT_EQ(files_of(path("s")), files_of(path("whole")));
+}
+
+TEST_F(Merge, CarriesOnThatRunsWentWrong) {
+  for (const std::string i : {"1", "2"}) {
+    pupflow({"sweep", "--set", "pups=3", "--set", "face_points=3", "--set", "beta=1", "--steps",
+             "300", "--set", "discard=20", "--vary", "alpha=0,0.7", "--seeds", "2", "--out",
+             "s" + i, "--shard", i + "/2"});
+  }
+  EXPECT_THAT(expect(3, {"merge", "s1", "s2", "--out", "merged"}),
+              HasSubstr("2 of 4 runs went wrong"));
+}
+
+}  // namespace
+}  // namespace pupflow::study::test

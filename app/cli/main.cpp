@@ -6,6 +6,7 @@
 #include <new>
 #include <vector>
 
+#include "app/cli/ranks.h"
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
@@ -111,7 +112,7 @@ void parse_and_work(int argc, char** argv) {
 }
 
 /// One line for each line of `message`.
-void report(const std::string& message) {
+void print_error(const std::string& message) {
   std::string rest = message;
   while (!rest.empty()) {
     const std::string line = first_line(rest);
@@ -126,6 +127,10 @@ int guarded_main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that reaches its size limit
   io::watch_for_interrupt();
+  const bool silent = leaves_speaking(argc, argv);
+  const auto report = [silent](const std::string& message) {
+    if (!silent) print_error(message);
+  };
   try {
     parse_and_work(argc, argv);
     return static_cast<int>(ExitCode::done);

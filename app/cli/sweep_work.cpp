@@ -1,8 +1,10 @@
 #include "app/cli/sweep_work.h"
 
 #include <algorithm>
+#include <memory>
 #include <thread>
 
+#include "app/cli/ranks.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/study/folder.h"
@@ -11,8 +13,9 @@
 namespace pupflow::cli {
 namespace {
 
-int thread_count(const Common& common) {
+int thread_count(const Common& common, const mpi::Membership& self) {
   if (common.threads > 0) return common.threads;
+  if (self.size > 1) return 1;  // launchers start one rank per core
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
@@ -31,7 +34,8 @@ study::Design design_of(const SweepOptions& options, const std::string& name) {
 void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& folder) {
   CommonHelp help;
   help.settings = "seed is the base seed, from which every run's own is made";
-  help.threads = "Runs at a time (default: all cores); changes no byte of any file";
+  help.threads =
+      "Runs at a time (default: all cores; 1 a rank under MPI); changes no byte of any file";
   help.out =
       "The folder for runs.csv, summary.csv, manifest.toml and the figure (default " + folder + ")";
   help.quiet = "No progress and no summary at the end";
@@ -53,10 +57,19 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
 }
 
 void run_sweep_verb(const SweepOptions& options, const std::string& name) {
+  mpi::Membership self = launched();
+  self.threads = thread_count(options.common, self);
+  std::unique_ptr<study::Crew> crew;
+  if (self.size > 1) {
+    mpi::Ranks& ranks = load_ranks(self);
+    if (self.rank > 0) return ranks.serve(self);
+    crew = ranks.lead(self);
+  }
   study::SweepJob job;
   job.design = design_of(options, name);
   job.folder = options.common.out.empty() ? name : options.common.out;
-  job.threads = thread_count(options.common);
+  job.threads = self.threads;
+  job.crew = crew.get();
   job.force = options.common.force;
   job.quiet = options.common.quiet;
   report_sweep(job.design, study::run_sweep(job), job.folder, job.quiet);

@@ -24,14 +24,18 @@ void compute(const SweepJob& job, Journal& journal) {
   const auto total = static_cast<std::int64_t>(missing.size());
   io::Progress progress(job.design.name + ": runs", total, job.quiet);
   std::int64_t done = 0;
-  run_ensemble(
-      total, job.threads,
-      [&](std::int64_t i) { return job.design.params_of(missing[static_cast<std::size_t>(i)]); },
-      [&](std::int64_t i, const RunResult& result) {
-        journal.add(make_row(missing[static_cast<std::size_t>(i)], result));
-        progress.update(++done);
-      },
-      io::interrupted);
+  const auto params_of = [&](std::int64_t i) {
+    return job.design.params_of(missing[static_cast<std::size_t>(i)]);
+  };
+  const auto deliver = [&](std::int64_t i, const RunResult& result) {
+    journal.add(make_row(missing[static_cast<std::size_t>(i)], result));
+    progress.update(++done);
+  };
+  if (job.crew) {
+    job.crew->compute(total, params_of, deliver, io::interrupted);
+  } else {
+    run_ensemble(total, job.threads, params_of, deliver, io::interrupted);
+  }
   if (done < total) {
     const std::int64_t own = static_cast<std::int64_t>(job.design.own_runs().size());
     throw io::Failure(io::ExitCode::interrupted,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/study/crew.h"
 #include "app/study/results.h"
 
 namespace pupflow::study {
@@ -12,6 +13,7 @@ struct SweepJob {
   Design design;
   std::string folder;
   int threads = 1;
+  Crew* crew = nullptr;  // computes in place of this process's threads
   bool force = false;  // start afresh where another sweep is
   bool quiet = false;
 };

@@ -29,13 +29,15 @@ const std::vector<Layer> kLayers = {
     {"engine", {}},
     {"app/io", {"engine"}},
     {"app/study", {"engine", "app/io"}},
+    {"app/mpi", {"engine", "app/io", "app/study/crew.h"}},
     {"app/view", {"engine", "app/io"}},
     {"app/gl", {"engine", "app/io", "app/view"}},
     {"app/context", {"app/io", "app/gl/load.h"}},
     {"app/pictures", {"engine", "app/io", "app/view", "app/gl", "app/context"}},
     {"app/window", {"engine", "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
     {"app/pictures/module.cpp", {"app/io", "app/context", "app/pictures", "app/window"}},
-    {"app/cli", {"engine", "app/io", "app/study", "app/view", "app/pictures/graphics.h"}},
+    {"app/cli",
+     {"engine", "app/io", "app/study", "app/view", "app/mpi/ranks.h", "app/pictures/graphics.h"}},
 };
 
 // Graphics libraries stay on the graphics side; the rest stays where it is wrapped.
@@ -50,6 +52,7 @@ const std::vector<Library> kLibraries = {
     {"ft2build.h", {"app/view"}},
     {"toml++/", {"app/io", "app/study"}},
     {"CLI/", {"app/cli"}},
+    {"mpi.h", {"app/mpi"}},
 };
 
 bool starts_with_any(std::string_view text, const std::vector<std::string_view>& prefixes) {

@@ -67,6 +67,9 @@ constexpr Case kForbidden[] = {
     {"app/cli/render.cpp", "#include \"app/pictures/render.h\""},
     {"app/cli/run.cpp", "#include <imgui.h>"},
     {"app/study/sweep.cpp", "#include \"app/view/camera.h\""},
+    {"app/study/sweep.cpp", "#include <mpi.h>"},
+    {"app/mpi/leader.cpp", "#include \"app/study/sweep.h\""},
+    {"app/cli/sweep.cpp", "#include \"app/mpi/leader.h\""},
 };
 
 constexpr Case kAllowed[] = {
@@ -77,6 +80,8 @@ constexpr Case kAllowed[] = {
     {"app/io/png.cpp", "#include <png.h>"},
     {"app/cli/render.cpp", "#include \"app/pictures/graphics.h\""},
     {"app/cli/module.cpp", "#include <dlfcn.h>"},
+    {"app/mpi/post.cpp", "#include <mpi.h>"},
+    {"app/cli/ranks.cpp", "#include \"app/mpi/ranks.h\""},
     {"app/pictures/module.cpp", "#include \"app/window/live.h\""},
     {"app/window/window.cpp", "#include \"imgui_impl_glfw.h\""},
     {"app/context/headless.cpp", "#include <EGL/egl.h>"},

@@ -1,0 +1,62 @@
+// What ranks tell each other. All run the same executable, so structs travel as their bytes.
+#pragma once
+
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include "engine/ensemble.h"
+
+namespace pupflow::mpi {
+
+/// The kinds of letters, as MPI tags.
+enum class Subject {
+  hello,   // worker: Hello, then the text of its job
+  task,    // leader: Task
+  result,  // worker: Result
+  failed,  // worker: why it computes no more, as text
+  beat,    // both: I am alive
+  home,    // leader: stop and leave
+  bye      // worker: the last one before it leaves
+};
+
+struct Letter {
+  int from;
+  Subject subject;
+  std::string bytes;
+};
+
+struct Hello {
+  int threads;
+};
+
+struct Task {
+  std::int64_t run;
+  Params params;
+};
+
+struct Result {
+  std::int64_t run;
+  RunResult result;
+};
+
+template <class T>
+std::string pack(const T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  return bytes;
+}
+
+/// The struct at the beginning of `bytes`. Throws std::runtime_error when they are too short.
+template <class T>
+T unpack(const std::string& bytes) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  T value;
+  if (bytes.size() < sizeof value) throw std::runtime_error("a letter between ranks was cut off");
+  std::memcpy(&value, bytes.data(), sizeof value);
+  return value;
+}
+
+}  // namespace pupflow::mpi

@@ -45,9 +45,9 @@ struct ContactSums {
 /// the padding out.
 template <class Real>
 struct Kernels {
-  /// Box round all points, its middle, and the largest distance from there. False when a coordinate
-  /// is not finite.
-  bool (*bounds)(const Real* const xyz[3], int stride, Real low[3], Real high[3], Real centre[3],
+  /// Box round the first `points` points, its middle, and the largest distance from there. False
+  /// when a coordinate is not finite.
+  bool (*bounds)(const Real* const xyz[3], int points, Real low[3], Real high[3], Real centre[3],
                  Real* radius);
   /// v_z <- |v_z|, z <- r where z < r.
   void (*floor)(Real r, int stride, Real* z, Real* vz);

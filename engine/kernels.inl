@@ -9,30 +9,40 @@
 namespace pupflow {
 namespace {
 
+/// Calls `visit(i)` with the beginning of each pack of the first `points` points. The last pack
+/// reaches back over the one before it, so that padding stays out; only clouds smaller than a pack
+/// bring theirs.
+template <class Real, class Visit>
+void for_whole_packs(int points, Visit visit) {
+  const int last = points > kLanes<Real> ? points - kLanes<Real> : 0;
+  for (int i = 0; i < last; i += kLanes<Real>) visit(i);
+  visit(last);
+}
+
 template <class Real>
-bool bounds(const Real* const xyz[3], int stride, Real low[3], Real high[3], Real centre[3],
+bool bounds(const Real* const xyz[3], int points, Real low[3], Real high[3], Real centre[3],
             Real* radius) {
   using P = Pack<Real>;
   P stays_zero = P::zero();  // x - x is NaN for infinite and NaN
   for (int axis = 0; axis < 3; ++axis) {
     P least = P::load(xyz[axis]), greatest = least;
-    for (int i = 0; i < stride; i += kLanes<Real>) {
+    for_whole_packs<Real>(points, [&](int i) {
       const P value = P::load(xyz[axis] + i);
       least = min(value, least);
       greatest = max(value, greatest);
       stays_zero += value - value;
-    }
+    });
     low[axis] = least.least();
     high[axis] = greatest.greatest();
     centre[axis] = low[axis] / 2 + high[axis] / 2;
   }
   P furthest = P::zero();
   const P cx = P::broadcast(centre[0]), cy = P::broadcast(centre[1]), cz = P::broadcast(centre[2]);
-  for (int i = 0; i < stride; i += kLanes<Real>) {
+  for_whole_packs<Real>(points, [&](int i) {
     const P dx = P::load(xyz[0] + i) - cx, dy = P::load(xyz[1] + i) - cy,
             dz = P::load(xyz[2] + i) - cz;
     furthest = max(dx * dx + dy * dy + dz * dz, furthest);
-  }
+  });
   *radius = root(furthest.greatest());
   return stays_zero.sum() == 0;
 }

@@ -33,6 +33,7 @@ class Simulation::Model {
   virtual int pups() const = 0;
   virtual int points() const = 0;
   virtual std::uint64_t hash() const = 0;
+  virtual void load(const Snapshot& snapshot) = 0;  // whose sizes fit
 
   Params params;
   Plan plan;
@@ -105,6 +106,21 @@ class Simulation::LitterModel final : public Simulation::Model {
   int points() const override { return state_.points; }
   std::uint64_t hash() const override { return hash_state(state_); }
 
+  void load(const Snapshot& snapshot) override {
+    const std::size_t size = 3 * static_cast<std::size_t>(state_.points);
+    for (int pup = 0; pup < state_.pups; ++pup) {
+      set_cloud(pup, std::span(snapshot.positions).subspan(pup * size, size),
+                std::span(snapshot.velocities).subspan(pup * size, size));
+    }
+    state_.tb = snapshot.body_temperature;
+    state_.heading = snapshot.heading;
+    state_.exposed = snapshot.exposed;
+    state_.touched = snapshot.touched;
+    state_.touching = snapshot.touching;
+    state_.step = snapshot.step;
+    state_.time = snapshot.time;
+  }
+
  private:
   template <class Out>
   void copy(const AlignedVector<Real>& x, const AlignedVector<Real>& y,
@@ -137,6 +153,26 @@ void require_size(std::size_t size, std::size_t expected, const char* what) {
                               " numbers, not " + std::to_string(expected));
 }
 
+void require_fitting(const Snapshot& snapshot, int pups, int points) {
+  const auto n = static_cast<std::size_t>(pups), all = n * static_cast<std::size_t>(points);
+  require_size(snapshot.positions.size(), 3 * all, "the snapshot's positions");
+  require_size(snapshot.velocities.size(), 3 * all, "the snapshot's velocities");
+  require_size(snapshot.body_temperature.size(), n, "the snapshot's body temperatures");
+  require_size(snapshot.heading.size(), n, "the snapshot's headings");
+  require_size(snapshot.exposed.size(), n, "the snapshot's exposures");
+  require_size(snapshot.touched.size(), all, "the snapshot's touched pups");
+  const auto is_pup = [pups](int pup) { return pup >= 0 && pup < pups; };
+  for (const int pup : snapshot.touched) {
+    if (pup != -1 && !is_pup(pup))
+      throw std::invalid_argument("the snapshot's touched pups name no pup");
+  }
+  for (const TouchingPair& pair : snapshot.touching) {
+    if (is_pup(pair.first) && is_pup(pair.second) && pair.first < pair.second) continue;
+    throw std::invalid_argument("the snapshot's touching pairs name no two pups");
+  }
+  if (snapshot.step < 0) throw std::invalid_argument("the snapshot's step is negative");
+}
+
 void require_pup(int pup, int pups) {
   if (pup >= 0 && pup < pups) return;
   throw std::out_of_range("there is no pup " + std::to_string(pup) + " among " +
@@ -152,6 +188,12 @@ Simulation::Simulation(const Params& params, InstructionSet set) {
   } else {
     model_ = std::make_unique<LitterModel<double>>(params, set);
   }
+}
+
+Simulation::Simulation(const Snapshot& snapshot, InstructionSet set)
+    : Simulation(snapshot.params, set) {
+  require_fitting(snapshot, pups(), points());
+  model_->load(snapshot);
 }
 
 Simulation::Simulation(const Simulation& other) : model_(other.model_->clone()) {}
@@ -267,6 +309,24 @@ std::span<const int> Simulation::touched_pup() const {
 std::span<const TouchingPair> Simulation::touching() const {
   return model_->touching();
 }
+Snapshot Simulation::snapshot() const {
+  Snapshot snapshot;
+  snapshot.params = params();
+  snapshot.positions.resize(model_->size());
+  snapshot.velocities.resize(model_->size());
+  copy_positions(snapshot.positions);
+  copy_velocities(snapshot.velocities);
+  const auto copy = [](auto from) { return std::vector(from.begin(), from.end()); };
+  snapshot.body_temperature = copy(body_temperature());
+  snapshot.heading = copy(heading());
+  snapshot.exposed = copy(exposed());
+  snapshot.touched = copy(touched_pup());
+  snapshot.touching = copy(touching());
+  snapshot.step = steps_done();
+  snapshot.time = time();
+  return snapshot;
+}
+
 std::int64_t Simulation::rotation_fallbacks() const {
   return model_->counters.rotation_fallbacks;
 }

@@ -9,6 +9,7 @@
 
 #include "engine/params.h"
 #include "engine/plan.h"
+#include "engine/snapshot.h"
 #include "engine/state.h"
 #include "engine/status.h"
 #include "engine/step.h"
@@ -24,6 +25,12 @@ class Simulation {
   /// Results do not depend on the instruction set, which must be a supported one (kernels.h).
   explicit Simulation(const Params& params,
                       InstructionSet set = supported_instruction_sets().back());
+
+  /// The litter of a snapshot, which goes on like the one it was taken from. Throws InvalidParams,
+  /// and std::invalid_argument when the numbers do not fit the parameters.
+  explicit Simulation(const Snapshot& snapshot,
+                      InstructionSet set = supported_instruction_sets().back());
+
   Simulation(const Simulation& other);
   Simulation(Simulation&& other) noexcept;
   Simulation& operator=(const Simulation& other);
@@ -84,6 +91,9 @@ class Simulation {
 
   /// Pups that touched in the last step, sorted.
   std::span<const TouchingPair> touching() const;
+
+  /// The whole state as plain numbers.
+  Snapshot snapshot() const;
 
   /// Rotations since the start that came from flat, mirrored or collapsed clouds (rotation.h).
   std::int64_t rotation_fallbacks() const;

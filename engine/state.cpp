@@ -30,7 +30,7 @@ bool update_bounds(State<Real>& state, int pup) {
   const std::size_t row = state.row(pup);
   const Real* xyz[3] = {state.x.data() + row, state.y.data() + row, state.z.data() + row};
   Bounds<Real>& b = state.bounds[pup];
-  return state.kernels->bounds(xyz, state.stride, b.low, b.high, b.centre, &b.radius);
+  return state.kernels->bounds(xyz, state.points, b.low, b.high, b.centre, &b.radius);
 }
 
 template <class Real>

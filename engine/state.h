@@ -33,7 +33,7 @@ struct State {
   int stride = 0;  // points padded to whole packs
   AlignedVector<Real> x, y, z;
   AlignedVector<Real> vx, vy, vz;
-  std::vector<Bounds<Real>> bounds;  // one per pup, round all its points (and its padding)
+  std::vector<Bounds<Real>> bounds;  // one per pup
 
   // Per pup. Double in either precision: there are few of them.
   std::vector<double> tb;       // body temperature T_b

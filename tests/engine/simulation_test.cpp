@@ -42,6 +42,40 @@ TEST(Simulation, ACopyIsASnapshotThatGoesOnAlike) {
   EXPECT_EQ(d.hash(), a.hash());
 }
 
+TEST(Simulation, ASnapshotGoesOnBitForBit) {
+  for (const Precision precision : {Precision::float_, Precision::double_}) {
+    Params p;
+    p.precision = precision;
+    p.ta = 0.2;
+    Simulation a(p);
+    a.run(400);
+    Simulation b(a.snapshot());
+    EXPECT_EQ(b.hash(), a.hash());
+    EXPECT_EQ(std::vector(b.touching().begin(), b.touching().end()),
+              std::vector(a.touching().begin(), a.touching().end()));
+    EXPECT_EQ(b.exposed()[3], a.exposed()[3]);
+    a.run(300);
+    b.run(300);
+    EXPECT_EQ(b.hash(), a.hash());
+    EXPECT_EQ(b.time(), a.time());
+  }
+}
+
+TEST(Simulation, ASnapshotThatDoesNotFitIsRefused) {
+  const Snapshot good = Simulation(Params{}).snapshot();
+  const auto refuse = [&](void (*spoil)(Snapshot&)) {
+    Snapshot bad = good;
+    spoil(bad);
+    EXPECT_THROW(Simulation{bad}, std::invalid_argument);
+  };
+  refuse([](Snapshot& s) { s.positions.pop_back(); });
+  refuse([](Snapshot& s) { s.heading.push_back(0); });
+  refuse([](Snapshot& s) { s.touched[5] = 12; });
+  refuse([](Snapshot& s) { s.touching.push_back({3, 2}); });
+  refuse([](Snapshot& s) { s.params.pups = 11; });
+  refuse([](Snapshot& s) { s.params.alpha = 2; });
+}
+
 TEST(Simulation, UnsoundParametersAreRefusedWhole) {
   Params p;
   p.alpha = 3;

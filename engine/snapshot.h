@@ -1,0 +1,25 @@
+// A litter's whole state as plain numbers, for files: what copying a Simulation keeps in memory.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/params.h"
+#include "engine/state.h"
+
+namespace pupflow {
+
+/// Everything that the future depends on, and what the last step found. Positions and velocities
+/// are x0 y0 z0 x1 ..., pup by pup; float litters widen to double exactly. A simulation made from a
+/// snapshot goes on bit for bit like the one it was taken from.
+struct Snapshot {
+  Params params;
+  std::vector<double> positions, velocities;               // 3 * pups * points
+  std::vector<double> body_temperature, heading, exposed;  // one per pup
+  std::vector<int> touched;                                // pups * points
+  std::vector<TouchingPair> touching;
+  std::int64_t step = 0;
+  double time = 0;
+};
+
+}  // namespace pupflow

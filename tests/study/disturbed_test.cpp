@@ -66,6 +66,17 @@ TEST_F(Disturbed, ACutOffOrDamagedLastLineIsComputedAgain) {
   expect_to_end_as_if_undisturbed(std::to_string(kept) + " runs were there already");
 }
 
+TEST_F(Disturbed, FinishedRunsAreNotComputedAgain) {
+  disturbed_by(SIGKILL);
+  // A number that no run comes to, in a row that is otherwise as it was.
+  std::string journal = contents(path("s/journal.csv"));
+  const std::size_t begin = journal.find(",fine,") + 6;
+  journal.replace(begin, journal.find(',', begin) - begin, "0.125");
+  scratch_.file("s/journal.csv", journal);
+  expect(0, sweep("s"));
+  EXPECT_THAT(contents(path("s/runs.csv")), HasSubstr(",fine,0.125,"));
+}
+
 TEST_F(Disturbed, CtrlCKeepsFinishedRunsAndEndsWith130) {
   const Outcome outcome = disturbed_by(SIGINT);
   EXPECT_EQ(outcome.code, 130);
@@ -77,7 +88,7 @@ TEST_F(Disturbed, CtrlCKeepsFinishedRunsAndEndsWith130) {
 
 TEST_F(Disturbed, AFullDiskKeepsFinishedRuns) {
   // A limit on file sizes stands in for it: 2 blocks of 512 bytes hold some rows of the journal.
-  const Outcome full = pupflow_behind("ulimit -f 2; exec", sweep("s"));
+  const Outcome full = pupflow_behind("ulimit -f 2; exec env --default-signal=XFSZ", sweep("s"));
   EXPECT_EQ(full.code, 4) << full.err;
   EXPECT_THAT(full.err, AllOf(HasSubstr("s/journal.csv"), HasSubstr("cannot write")));
   const std::ptrdiff_t kept = lines_of(path("s/journal.csv"));
@@ -88,7 +99,7 @@ TEST_F(Disturbed, AFullDiskKeepsFinishedRuns) {
 TEST_F(Disturbed, ADiskThatFillsUpAtTheEndLosesNoRun) {
   // The journal is there already; runs.csv, with its header, is what does not fit any more.
   disturbed_by(SIGKILL);
-  const Outcome full = pupflow_behind("ulimit -f 64; exec", sweep("s"));
+  const Outcome full = pupflow_behind("ulimit -f 64; exec env --default-signal=XFSZ", sweep("s"));
   EXPECT_EQ(full.code, 4) << full.err;
   EXPECT_GE(lines_of(path("s/journal.csv")), 3);
   EXPECT_FALSE(std::filesystem::exists(path("s/runs.csv")));

@@ -29,7 +29,7 @@ class Simulation::Model {
   virtual std::span<const int> touched() const = 0;
   virtual std::span<const TouchingPair> touching() const = 0;
   virtual std::int64_t step() const = 0;
-  virtual double time() const = 0;
+  virtual Clock& clock() = 0;
   virtual int pups() const = 0;
   virtual int points() const = 0;
   virtual std::uint64_t hash() const = 0;
@@ -101,7 +101,7 @@ class Simulation::LitterModel final : public Simulation::Model {
   std::span<const int> touched() const override { return state_.touched; }
   std::span<const TouchingPair> touching() const override { return state_.touching; }
   std::int64_t step() const override { return state_.step; }
-  double time() const override { return state_.time; }
+  Clock& clock() override { return state_.clock; }
   int pups() const override { return state_.pups; }
   int points() const override { return state_.points; }
   std::uint64_t hash() const override { return hash_state(state_); }
@@ -118,7 +118,7 @@ class Simulation::LitterModel final : public Simulation::Model {
     state_.touched = snapshot.touched;
     state_.touching = snapshot.touching;
     state_.step = snapshot.step;
-    state_.time = snapshot.time;
+    state_.clock = snapshot.clock;
   }
 
  private:
@@ -214,6 +214,7 @@ void Simulation::set_params(const Params& params) {
   if (needs_restart(model_->params, params)) {
     throw std::logic_error("these parameters define the litter and need a new simulation");
   }
+  if (params.dt != model_->params.dt) model_->clock() = {steps_done(), time()};
   model_->params = params;
   model_->plan = make_plan(params, model_->observed);
 }
@@ -245,7 +246,7 @@ std::int64_t Simulation::steps_done() const {
   return model_->step();
 }
 double Simulation::time() const {
-  return model_->time();
+  return model_->clock().at(steps_done(), params().dt);
 }
 int Simulation::pups() const {
   return model_->pups();
@@ -323,7 +324,7 @@ Snapshot Simulation::snapshot() const {
   snapshot.touched = copy(touched_pup());
   snapshot.touching = copy(touching());
   snapshot.step = steps_done();
-  snapshot.time = time();
+  snapshot.clock = model_->clock();
   return snapshot;
 }
 

@@ -59,7 +59,7 @@ class Simulation {
   const Status& status() const;
 
   std::int64_t steps_done() const;
-  double time() const;  // model seconds; the sum of the steps' dt
+  double time() const;  // model seconds
 
   int pups() const;
   int points() const;  // per pup

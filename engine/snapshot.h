@@ -19,7 +19,7 @@ struct Snapshot {
   std::vector<int> touched;                                // pups * points
   std::vector<TouchingPair> touching;
   std::int64_t step = 0;
-  double time = 0;
+  Clock clock;
 };
 
 }  // namespace pupflow

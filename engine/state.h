@@ -15,6 +15,16 @@ struct TouchingPair {
   friend bool operator==(const TouchingPair&, const TouchingPair&) = default;
 };
 
+/// The step and the time at which dt last changed. Time is counted from there, in one product,
+/// since adding up dt step by step would gather rounding errors.
+struct Clock {
+  std::int64_t step = 0;
+  double time = 0;
+  double at(std::int64_t now, double dt) const {
+    return time + static_cast<double>(now - step) * dt;
+  }
+};
+
 /// What encloses a pup's points: a box, and a ball round the middle of the box.
 template <class Real>
 struct Bounds {
@@ -47,7 +57,7 @@ struct State {
   const Kernels<Real>* kernels = nullptr;  // the loops over these arrays, for this processor
 
   std::int64_t step = 0;
-  double time = 0;
+  Clock clock;
 
   std::size_t row(int pup) const { return static_cast<std::size_t>(pup) * stride; }
   std::size_t flat(int pup) const { return static_cast<std::size_t>(pup) * points; }

@@ -89,7 +89,6 @@ Status step_litter(const Params& params, const Plan& plan, const Cloud<Real>& cl
     if (!status.ok()) return status;
   }
   ++state.step;
-  state.time += params.dt;
   return {};
 }
 

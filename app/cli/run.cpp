@@ -8,10 +8,12 @@
 #include "app/cli/summary.h"
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
+#include "app/io/checkpoint.h"
 #include "app/io/csv.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
+#include "app/io/recording.h"
 #include "engine/metrics.h"
 
 namespace pupflow::cli {
@@ -19,20 +21,23 @@ namespace {
 
 struct Options {
   Common common;  // its `out` is the metrics CSV
-  std::string pups;
-  std::int64_t every = 1;
+  std::string pups, record, checkpoint, from;
+  std::int64_t every = 1, record_every = 10;
 };
 
 /// The files that were asked for. They appear when the run ends, however it ends.
 struct Files {
   std::optional<io::MetricsCsv> metrics;
   std::optional<io::PupsCsv> pups;
+  std::optional<io::Recording> recording;
 
   Files(const Options& options, const Params& params) {
     if (!options.common.out.empty()) {
       metrics.emplace(options.common.out, options.common.force, params);
     }
     if (!options.pups.empty()) pups.emplace(options.pups, options.common.force, params);
+    if (!options.record.empty()) recording.emplace(options.record, options.common.force, params);
+    if (!options.checkpoint.empty()) io::refuse_existing(options.checkpoint, options.common.force);
   }
 
   void finish(const std::string& ending) {
@@ -42,6 +47,7 @@ struct Files {
     };
     if (metrics) close(metrics->file());
     if (pups) close(pups->file());
+    if (recording) recording->commit(ending);
   }
 };
 
@@ -64,13 +70,13 @@ void refuse_same_file(const Options& options) {
 /// One run: steps, and looks at the litter only where somebody asked for what is seen.
 class Run {
  public:
-  Run(const Options& options, const Params& params)
+  Run(const Options& options, Simulation start)
       : options_(options),
-        files_(options, params),
-        simulation_(params),
-        means_(params.discard),
+        files_(options, start.params()),
+        simulation_(std::move(start)),
+        means_(simulation_.params().discard),
         summary_(!options.common.quiet) {
-    simulation_.set_observed(files_.metrics || files_.pups || summary_);
+    simulation_.set_observed(files_.metrics || files_.pups || files_.recording || summary_);
   }
 
   /// Steps to the end, a bad status, or Ctrl-C; then puts the files in place.
@@ -84,6 +90,8 @@ class Run {
     }
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     files_.finish(ending());
+    if (options_.checkpoint.empty() || !simulation_.status().ok()) return;
+    io::write_checkpoint(options_.checkpoint, options_.common.force, simulation_.snapshot());
   }
 
   /// Why the run ended before its last step; empty when it did not.
@@ -112,6 +120,7 @@ class Run {
     if (mean) means_.add(simulation_, observer_->last());
     if (row && files_.metrics) files_.metrics->add(simulation_, observer_->last());
     if (row && files_.pups) files_.pups->add(simulation_);
+    if (files_.recording && step % options_.record_every == 0) files_.recording->add(simulation_);
   }
 
   const Options& options_;
@@ -123,13 +132,39 @@ class Run {
   double seconds_ = 0;
 };
 
+/// The litter that the run begins with: a new one, or that of --from.
+Simulation start_of(const Options& options, std::string& title) {
+  if (options.from.empty()) {
+    const io::Setup setup = io::set_up(options.common.settings);
+    title = setup.title;
+    return Simulation(setup.params);
+  }
+  const io::Settings& typed = options.common.settings;
+  if (!typed.scene.empty() || !typed.like.empty()) {
+    throw io::Failure(
+        io::ExitCode::bad_input,
+        "--from brings its own parameters; change them with --set, not with a scene or --like");
+  }
+  const Snapshot snapshot = io::read_checkpoint(options.from);
+  try {
+    Simulation simulation(snapshot);
+    simulation.set_params(io::set_up(typed, snapshot.params).params);
+    return simulation;
+  } catch (const InvalidParams&) {
+    throw;
+  } catch (const std::logic_error&
+               error) {  // parameters that define the litter, or numbers that do not fit
+    throw io::Failure(io::ExitCode::bad_input, options.from + ": " + error.what());
+  }
+}
+
 void work(const Options& options) {
   refuse_same_file(options);
-  const io::Setup setup = io::set_up(options.common.settings);
-  Run run(options, setup.params);
+  std::string title;
+  Run run(options, start_of(options, title));
   run.go();
   if (run.summary()) {
-    const std::string text = run_summary(setup.title, run.simulation(), run.means(), run.seconds());
+    const std::string text = run_summary(title, run.simulation(), run.means(), run.seconds());
     const bool taken =
         io::is_standard_output(options.common.out) || io::is_standard_output(options.pups);
     if (taken) {
@@ -162,6 +197,22 @@ Verb add_run(CLI::App& program) {
   app->add_option("--every", options->every, "Rows for steps N, 2N, ... only (default 1)")
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+  app->add_option("--record", options->record,
+                  "Write the litter's points and temperatures to an HDF5 file")
+      ->option_text("FILE")
+      ->check(not_empty);
+  app->add_option("--record-every", options->record_every,
+                  "Frames for steps N, 2N, ... (default 10)")
+      ->option_text("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+  app->add_option("--checkpoint", options->checkpoint,
+                  "Write the whole state at the end (also after Ctrl-C) to an HDF5 file")
+      ->option_text("FILE")
+      ->check(not_empty);
+  app->add_option("--from", options->from,
+                  "Go on from a checkpoint, bit for bit, up to step --steps")
+      ->option_text("FILE")
+      ->check(not_empty);
   app->footer(
       "Exit code 3 when the numbers went wrong, 130 after Ctrl-C: the rows up to there are kept, "
       "and "

@@ -146,6 +146,12 @@ void AtomicFile::write(std::string_view bytes) {
   if (buffer_.size() >= kBuffer) drain();
 }
 
+const std::string& AtomicFile::written_aside() const {
+  if (!temporary_.empty()) return temporary_;
+  throw Failure(ExitCode::bad_file,
+                path_ + ": this kind of file cannot go to a pipe or device; name a file");
+}
+
 void AtomicFile::drain() {
   if (const int error = write_all(descriptor_, buffer_)) fail(error);
   buffer_.clear();

@@ -36,6 +36,10 @@ class AtomicFile {
 
   void write(std::string_view bytes);
 
+  /// The temporary file, for libraries that open files by name; then nothing goes through `write`.
+  /// Throws for a stream, which has none.
+  const std::string& written_aside() const;
+
   /// Writes out what is buffered, flushes it to the disk and puts the file in its place. Once,
   /// last.
   void commit();

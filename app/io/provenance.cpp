@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/io/checkpoint.h"
 #include "app/io/csv.h"
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
@@ -41,8 +42,10 @@ Params params_from(const TextEntries& entries, const std::string& where) {
 }
 
 Params params_of_file(const std::string& path) {
-  const bool is_png = read_beginning(path, 8) == "\x89PNG\r\n\x1a\n";
-  return params_from(is_png ? read_png_text(path) : read_csv_header(path), path);
+  const std::string beginning = read_beginning(path, 8);
+  if (beginning == "\x89PNG\r\n\x1a\n") return params_from(read_png_text(path), path);
+  if (beginning == "\x89HDF\r\n\x1a\n") return params_from(read_hdf5_text(path), path);
+  return params_from(read_csv_header(path), path);
 }
 
 }  // namespace pupflow::io

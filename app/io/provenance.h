@@ -16,7 +16,8 @@ TextEntries provenance(const Params& params, const TextEntries& extra = {});
 /// Failure(bad_input), naming `where`, when a parameter is missing or its value is bad.
 Params params_from(const TextEntries& entries, const std::string& where);
 
-/// The parameters that made `path`, a PNG or a CSV written by this program. Throws Failure.
+/// The parameters that made `path`, a PNG, CSV or HDF5 file written by this program. Throws
+/// Failure.
 Params params_of_file(const std::string& path);
 
 }  // namespace pupflow::io

@@ -54,12 +54,12 @@ bool Settings::empty() const {
   return scene.empty() && like.empty() && sets.empty() && !seed && !steps && !precision;
 }
 
-Setup set_up(const Settings& settings) {
+Setup set_up(const Settings& settings, const Params& base) {
   if (!settings.scene.empty() && !settings.like.empty()) {
     throw Failure(ExitCode::bad_input,
                   "a scene and --like both give a whole parameter set; use one of them");
   }
-  Setup setup;
+  Setup setup{base, {}, {}};
   std::vector<std::string> problems;
   if (!settings.scene.empty()) {
     const Scene scene = load_scene(settings.scene, problems);

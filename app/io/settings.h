@@ -26,8 +26,8 @@ struct Setup {
   std::string title, description;  // of the scene; empty without one
 };
 
-/// Applies `settings` in their order and checks the whole set. Throws Failure: bad_input with every
-/// problem, one a line; bad_file when a file cannot be read.
-Setup set_up(const Settings& settings);
+/// Applies `settings` to `base` in their order and checks the whole set. Throws Failure: bad_input
+/// with every problem, one a line; bad_file when a file cannot be read.
+Setup set_up(const Settings& settings, const Params& base = {});
 
 }  // namespace pupflow::io

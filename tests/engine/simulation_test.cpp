@@ -110,6 +110,14 @@ TEST(Simulation, LitterParametersCannotChangeInFlight) {
   EXPECT_EQ(s.params(), Params{});
 }
 
+TEST(Simulation, TimeGathersNoRounding) {
+  Params p = testing::weightless();
+  p.alpha = 0;
+  Simulation s(p);
+  s.run(501);
+  EXPECT_EQ(s.time(), 5.01);
+}
+
 TEST(Simulation, TimeIsTheSumOfTheSteps) {
   Params p = testing::weightless();
   Simulation s(p);

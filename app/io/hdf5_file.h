@@ -1,0 +1,71 @@
+// The few things that this program does with HDF5, each checked.
+#pragma once
+
+#include <hdf5.h>
+
+#include <string>
+#include <vector>
+
+#include "app/io/atomic_file.h"
+#include "app/io/png.h"
+
+namespace pupflow::io {
+
+/// An HDF5 handle that closes itself.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor)
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+/// A new HDF5 file, written aside and put in place by commit(). Throws Failure(bad_file).
+class Hdf5Writer {
+ public:
+  Hdf5Writer(const std::string& path, bool force);
+  ~Hdf5Writer();
+  Hdf5Writer(const Hdf5Writer&) = delete;
+  Hdf5Writer& operator=(const Hdf5Writer&) = delete;
+
+  hid_t id() const { return file_; }
+  void text(const std::string& name, const std::string& value);  // an attribute of the file
+  void commit();
+
+  /// `result` as it is; throws when it says that HDF5 failed.
+  hid_t checked(hid_t result) const;
+
+ private:
+  std::string path_;
+  AtomicFile target_;
+  hid_t file_;
+};
+
+/// An HDF5 file of this program, open for reading. Throws Failure(bad_file) when it cannot be read.
+class Hdf5Reader {
+ public:
+  explicit Hdf5Reader(const std::string& path);
+
+  /// All text attributes of the file.
+  TextEntries text() const;
+
+  /// A whole dataset, flattened. Throws Failure(bad_input) when it is missing.
+  std::vector<double> numbers(const std::string& name) const;
+  std::vector<int> integers(const std::string& name) const;
+
+ private:
+  template <class T>
+  std::vector<T> read(const std::string& name, hid_t type) const;
+
+  std::string path_;
+  Handle file_;
+};
+
+}  // namespace pupflow::io

@@ -15,10 +15,12 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::ptrdiff_t lines_of(const std::string& path) {
-  if (!std::filesystem::exists(path)) return 0;
-  const std::string text = contents(path);
+std::ptrdiff_t lines_in(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');
+}
+
+std::ptrdiff_t lines_of(const std::string& path) {
+  return std::filesystem::exists(path) ? lines_in(contents(path)) : 0;
 }
 
 class Disturbed : public SweepProgram {
@@ -97,13 +99,22 @@ TEST_F(Disturbed, AFullDiskKeepsFinishedRuns) {
 }
 
 TEST_F(Disturbed, ADiskThatFillsUpAtTheEndLosesNoRun) {
-  // The journal is there already; runs.csv, with its header, is what does not fit any more.
-  disturbed_by(SIGKILL);
-  const Outcome full = pupflow_behind("ulimit -f 64; exec env --default-signal=XFSZ", sweep("s"));
+  // All runs are in the journal; runs.csv, which is made from it, does not fit.
+  expect(0, sweep("s"));
+  std::string journal;
+  for (const Words& row : rows_of(path("s/runs.csv"))) {
+    journal += std::to_string(lines_in(journal));
+    for (const std::string& cell : row) journal += "," + cell;
+    journal += "\n";
+  }
+  for (const char* name : {"s/runs.csv", "s/summary.csv"}) std::filesystem::remove(path(name));
+  scratch_.file("s/journal.csv", journal);
+  const Outcome full = pupflow_behind("ulimit -f 8; exec env --default-signal=XFSZ", sweep("s"));
   EXPECT_EQ(full.code, 4) << full.err;
-  EXPECT_GE(lines_of(path("s/journal.csv")), 3);
+  EXPECT_THAT(full.err, HasSubstr("s/runs.csv: cannot write"));
+  EXPECT_EQ(contents(path("s/journal.csv")), journal);
   EXPECT_FALSE(std::filesystem::exists(path("s/runs.csv")));
-  expect_to_end_as_if_undisturbed(" runs were there already");
+  expect_to_end_as_if_undisturbed("400 runs were there already");
 }
 
 TEST_F(Disturbed, FoldersThatCannotBeWrittenToAreRefusedBeforeAnythingRuns) {

@@ -1,10 +1,13 @@
 #include "app/pictures/studio.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "app/context/headless.h"
 #include "app/io/failure.h"
 #include "app/io/text.h"
+#include "engine/start.h"
 
 namespace pupflow::pictures {
 
@@ -53,10 +56,24 @@ Simulation unobserved_litter(const Params& params) {
   return simulation;
 }
 
+double framed_height(const Params& params) {
+  const double reach = params.pup_radius + params.point_radius;
+  constexpr double kFilled = 0.45;  // the share of the room that bodies in a heap take up
+  const double share_of_floor = std::pow(reach / params.arena_radius, 2);
+  const double bodies = params.pups * 4.0 / 3.0 * reach * share_of_floor;
+  double height = std::max(2 * reach, bodies / kFilled);
+  const bool falls_from_afar = params.start == Start::column && params.gravity > 0;
+  if (falls_from_afar) return height;
+  for (const Eigen::Vector3d& centre : start_centres(params)) {
+    height = std::max(height, centre.z() + reach);
+  }
+  return height;
+}
+
 view::Camera framed_camera(const std::string& spec, const Params& params, double aspect) {
   view::Camera camera = view::Camera::parse(spec);
   const double radius = params.arena_radius * (1 + view::kRimWidth);
-  camera.frame(radius, 2 * (params.pup_radius + params.point_radius), aspect);
+  camera.frame(radius, framed_height(params), aspect);
   return camera;
 }
 

@@ -37,7 +37,14 @@ class Studio {
 /// they are unsound.
 Simulation unobserved_litter(const Params& params);
 
-/// The camera of `spec` framing the arena of `params` in a picture of that aspect.
+/// How high above the floor a framed picture looks: as high as the litter of `params` may lie once
+/// it has landed, and as it starts unless that is a column that falls. Known before the first step,
+/// so that the camera stands still and a frame looks the same whichever frames come with it; what
+/// falls from a column comes from above the picture.
+double framed_height(const Params& params);
+
+/// The camera of `spec` framing the arena of `params`, with its litter, in a picture of that
+/// aspect.
 view::Camera framed_camera(const std::string& spec, const Params& params, double aspect);
 
 /// What a picture carries beside the parameters so that it can be made again.

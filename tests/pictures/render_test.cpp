@@ -101,6 +101,32 @@ TEST(Render, WithoutTheBarTheArenaGetsAllTheRoom) {
   EXPECT_LT(arena_width(true), 250);
 }
 
+TEST(Render, TheFrameTakesInTheWholeLitter) {
+  const TemporaryFolder folder;
+  RenderJob job = small_job(folder);
+  job.camera = "side";
+  job.bar = false;
+  const auto rows_above_the_litter = [&](std::int64_t step) {
+    job.at = {step};
+    job.output = {folder.file("side.png"), true, true};
+    render(job);
+    const io::Image image = io::read_png(job.output.path);
+    const view::Rgb paper{255, 255, 255};
+    int pixel = 0;
+    while (colour_at(image, pixel % image.width, pixel / image.width) == paper) ++pixel;
+    return pixel / image.width;
+  };
+  job.params.pups = 10;
+  job.params.arena_radius = 0.35;  // room for one beside the other
+  job.params.start = Start::carpet;
+  EXPECT_GT(rows_above_the_litter(0), 0);  // ten layers
+  job.params.start = Start::column;
+  EXPECT_GT(rows_above_the_litter(1500), 0);  // the heap after the fall
+  job.params.arena_radius = 2;
+  job.params.gravity = 0;
+  EXPECT_GT(rows_above_the_litter(0), 0);  // a column that stays
+}
+
 TEST(Render, MakesTheFolderOfNumberedFrames) {
   const TemporaryFolder folder;
   RenderJob job = small_job(folder);

@@ -33,13 +33,17 @@ std::string means_text(const Simulation& simulation, const RunMeans& means) {
   }
   const Observables m = means.means();
   std::string text = format("means over steps %lld to %lld\n", discard + 1, done);
-  text += format("  mean body temperature    %.5g\n", m.mean_tb);
-  text += format("  huddling, 1 - A          %.5g\n", m.huddling);
-  text += format("  groups                   %.5g\n", m.groups);
-  text += format("  pups in largest group    %.5g\n", m.largest);
-  text += format("  pup flow                 %.5g /s\n", m.flow);
-  text += format("  membership flow          %.5g /s\n", m.membership_flow);
-  text += format("  sd of A over time        %.5g\n", means.exposed_sd());
+  // Whole, so that they can be held against a sweep's row for the same parameters and seed.
+  const auto line = [&](const char* name, double value, const char* unit = "") {
+    text += format("  %-24s %s%s\n", name, io::number_text(value).c_str(), unit);
+  };
+  line("mean body temperature", m.mean_tb);
+  line("huddling, 1 - A", m.huddling);
+  line("groups", m.groups);
+  line("pups in largest group", m.largest);
+  line("pup flow", m.flow, " /s");
+  line("membership flow", m.membership_flow, " /s");
+  line("sd of A over time", means.exposed_sd());
   return text;
 }
 

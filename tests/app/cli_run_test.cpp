@@ -3,9 +3,12 @@
 
 #include <chrono>
 #include <csignal>
+#include <sstream>
 #include <thread>
 
 #include "app/io/provenance.h"
+#include "engine/metrics.h"
+#include "engine/simulation.h"
 #include "program.h"
 #include "scratch.h"
 
@@ -111,6 +114,23 @@ TEST_F(CliRun, SaysWhyThereAreNoMeans) {
               HasSubstr("no means: the run ended at step 5, and discard = 500"));
   EXPECT_THAT(pupflow({"run", "--steps", "6", "--set", "discard=5"}).out,
               HasSubstr("means over steps 6 to 6"));
+}
+
+TEST_F(CliRun, PrintsMeansThatReadBackToTheSameValue) {
+  const Outcome outcome = pupflow({"run", "--steps", "40", "--set", "discard=38"});
+  Params params;
+  params.steps = 40;
+  params.discard = 38;
+  Simulation simulation(params);
+  Observer observer(simulation);
+  RunMeans means(params.discard);
+  while (simulation.steps_done() < params.steps && simulation.step().ok()) {
+    means.add(simulation, observer.observe(simulation));
+  }
+  std::istringstream after(outcome.out.substr(outcome.out.find("mean body temperature") + 21));
+  double printed = 0;
+  after >> printed;
+  EXPECT_EQ(printed, means.means().mean_tb);
 }
 
 TEST_F(CliRun, RefusesBeforeItStarts) {

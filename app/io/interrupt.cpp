@@ -5,9 +5,12 @@
 #include <cstdlib>
 
 namespace pupflow::io {
-namespace {
 
-volatile std::sig_atomic_t came = 0;
+// Shared like the functions of the header, in case a compiler inlines these in a module.
+extern volatile std::sig_atomic_t came;
+[[gnu::visibility("default")]] volatile std::sig_atomic_t came = 0;
+
+namespace {
 
 void note_signal(int) {
   if (came != 0) _exit(130);

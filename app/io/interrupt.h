@@ -3,8 +3,8 @@
 
 namespace pupflow::io {
 
-// Visible from outside the executable: the graphics module carries a copy of this code, and the
-// dynamic linker then binds both to the executable's one flag.
+// Visible from outside the executable, which exports its symbols: a module carries a copy of this
+// code, and the dynamic linker binds the module's uses to the executable's one flag.
 #pragma GCC visibility push(default)
 
 /// From now on SIGINT and SIGTERM only set the flag; a second one ends the program at once.

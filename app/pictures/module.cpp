@@ -1,7 +1,6 @@
 // The graphics module: what the program loads when a picture or a window is asked for.
 #include "app/context/glfw_window.h"
 #include "app/context/headless.h"
-#include "app/io/interrupt.h"
 #include "app/pictures/figure1.h"
 #include "app/pictures/graphics.h"
 #include "app/pictures/render.h"
@@ -13,15 +12,8 @@ namespace {
 
 class Module final : public Graphics {
  public:
-  // The module has its own copy of the flag that Ctrl-C sets, so it watches for itself.
-  void render(const RenderJob& job) override {
-    io::watch_for_interrupt();
-    pictures::render(job);
-  }
-  void figure1(const Figure1Job& job) override {
-    io::watch_for_interrupt();
-    pictures::figure1(job);
-  }
+  void render(const RenderJob& job) override { pictures::render(job); }
+  void figure1(const Figure1Job& job) override { pictures::figure1(job); }
   void live(const LiveJob& job) override { window::run_live(job); }
   ContextReport probe_headless() override { return context::probe_headless(); }
   ContextReport probe_window() override { return context::probe_window(); }

@@ -15,7 +15,7 @@ constexpr std::array kKeys{
            {GLFW_KEY_RIGHT, GLFW_KEY_N},
            true,
            true,
-           "Shift + Right, N",
+           "Shift + Right, Shift + N",
            "pause and make 100 steps"},
     KeyRow{Action::step,
            {GLFW_KEY_RIGHT, GLFW_KEY_N},

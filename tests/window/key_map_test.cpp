@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 #include <string>
@@ -44,6 +45,18 @@ TEST(KeyMap, TheHelpNamesTheLettersThatWork) {
         EXPECT_THAT(row.text, testing::HasSubstr(std::string(1, static_cast<char>(key))));
       }
     }
+  }
+}
+
+TEST(KeyMap, TheHelpSaysShiftForEachKeyThatNeedsIt) {
+  for (const KeyRow& row : key_table()) {
+    const std::string_view text = row.text;
+    const auto keys = std::count_if(row.keys.begin(), row.keys.end(), [](int k) { return k != 0; });
+    std::ptrdiff_t shifts = 0;
+    for (std::size_t at = text.find("Shift"); at != text.npos; at = text.find("Shift", at + 1)) {
+      ++shifts;
+    }
+    EXPECT_EQ(shifts, row.shift ? keys : 0) << text;
   }
 }
 

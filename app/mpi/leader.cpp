@@ -134,6 +134,7 @@ void Leader::take(const Letter& letter, Work* work) {
     case Subject::beat:
     case Subject::task:
     case Subject::home:
+    case Subject::leave:
       break;
   }
 }
@@ -180,9 +181,12 @@ void Leader::leave() {
     std::this_thread::sleep_for(kPause);
   }
   if (io::interrupted()) return;  // the launcher ends the job, and waits for nobody
-  const bool all_said_goodbye =
+  const bool together =
       all([](const Worker& worker) { return worker.state == Worker::State::gone; });
-  if (all_said_goodbye) {
+  for (int rank = 1; rank < post_.size(); ++rank) {
+    post_.send(rank, Subject::leave, pack(Leave{together}));
+  }
+  if (together) {
     MPI_Finalize();
   } else {
     abort_job_at_exit();

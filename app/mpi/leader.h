@@ -28,7 +28,7 @@ class Leader : public study::Crew {
  private:
   using Clock = std::chrono::steady_clock;
   struct Worker {
-    enum class State { awaited, working, retired, gone };  // gone: it said goodbye
+    enum class State { awaited, working, retired, gone };  // gone: it said bye
     State state = State::awaited;
     bool lost = false;  // silent for too long; taken back when it speaks again
     std::size_t threads = 0;

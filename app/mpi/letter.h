@@ -17,8 +17,9 @@ enum class Subject {
   result,  // worker: Result
   failed,  // worker: why it computes no more, as text
   beat,    // both: I am alive
-  home,    // leader: stop and leave
-  bye      // worker: the last one before it leaves
+  home,    // leader: stop
+  bye,     // worker: I have stopped
+  leave    // leader: its last one, a Leave
 };
 
 struct Letter {
@@ -39,6 +40,11 @@ struct Task {
 struct Result {
   std::int64_t run;
   RunResult result;
+};
+
+/// How ranks go: MPI_Finalize waits for all of them, and for ever when one is lost.
+struct Leave {
+  bool together;
 };
 
 template <class T>

@@ -37,7 +37,17 @@ class Worker {
     }
     pool_.reset();
     post_.send(kLeader, Subject::bye);
-    MPI_Finalize();  // delivers the goodbye, and waits for the others
+    while (!leave_) {
+      std::this_thread::sleep_for(kPause);
+      read_post();
+      give_signs_of_life();
+    }
+    if (leave_->together) {
+      MPI_Finalize();
+    } else {
+      // Rank 0 goes first, with the program's exit code, and takes the others with it if it can.
+      std::this_thread::sleep_for(std::chrono::seconds(1));
+    }
   }
 
  private:
@@ -62,6 +72,7 @@ class Worker {
       heard_ = Clock::now();
       if (letter->subject == Subject::task && pool_) pool_->begin(unpack<Task>(letter->bytes));
       if (letter->subject == Subject::home) sent_home_ = true;
+      if (letter->subject == Subject::leave) leave_ = unpack<Leave>(letter->bytes);
     }
   }
 
@@ -91,6 +102,7 @@ class Worker {
   std::function<bool()> stop_ = [] { return io::interrupted(); };
   std::optional<Pool> pool_;
   bool sent_home_ = false;
+  std::optional<Leave> leave_;
   Clock::time_point heard_ = Clock::now(), looked_ = heard_, beaten_ = heard_;
 };
 

@@ -1,0 +1,120 @@
+// Ranks that die, hang or are told to stop cost time, and no finished run.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+
+#include "tests/mpi/ranks.h"
+
+namespace pupflow::mpi::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// Enough to be caught in the middle: mpirun takes a second to pass a signal on.
+constexpr int kSeeds = 40, kSteps = 6000;
+
+class FailingRanks : public Ranks {
+ protected:
+  /// Waits for the first finished runs.
+  void wait_for_runs() const {
+    for (int wait = 0; wait < 30'000; ++wait) {
+      if (exists("s/journal.csv")) {
+        const std::string journal = contents(scratch_.path("s/journal.csv"));
+        if (std::count(journal.begin(), journal.end(), '\n') >= 3) return;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    FAIL() << "no run was finished";
+  }
+
+  /// The process of one rank of the job in this folder.
+  pid_t process_of(int rank) const {
+    const std::string variable = "OMPI_COMM_WORLD_RANK=" + std::to_string(rank);
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+      std::error_code other_users;
+      if (fs::read_symlink(entry.path() / "exe", other_users) != PUPFLOW_PROGRAM) continue;
+      if (fs::read_symlink(entry.path() / "cwd", other_users) != scratch_.folder()) continue;
+      const std::string environment = '\0' + contents((entry.path() / "environ").string());
+      if (environment.find('\0' + variable + '\0') != std::string::npos)
+        return std::stoi(entry.path().filename().string());
+    }
+    throw std::runtime_error("no such rank");
+  }
+
+  /// Starts the sweep over ranks, and sends `signal` to one of them, or to mpirun, in the middle.
+  Outcome disturbed(int ranks, int signal, std::optional<int> rank, const Words& options = {}) {
+    Running job("/usr/bin/env", mpirun(ranks, sweep(kSeeds, "s", kSteps), options), folder());
+    wait_for_runs();
+    if (rank) {
+      ::kill(process_of(*rank), signal);
+    } else {
+      job.signal(signal);
+    }
+    return job.wait();
+  }
+
+  void expect_whole() const {
+    ASSERT_EQ(alone(sweep(kSeeds, "undisturbed", kSteps)).code, 0);
+    expect_same("undisturbed", "s");
+  }
+
+  /// That the job was cut off, and that the same command goes on from there.
+  void expect_resumed(int ranks) const {
+    EXPECT_FALSE(exists("s/runs.csv"));
+    const Outcome outcome = run(mpirun(ranks, sweep(kSeeds, "s", kSteps)));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(" runs were there already\n"));
+    expect_whole();
+  }
+};
+
+TEST_F(FailingRanks, OneKilledCostsOnlyItsRunsWhereTheLauncherLetsTheOthersGoOn) {
+  const Outcome outcome = disturbed(4, SIGKILL, 2, {"--enable-recovery"});
+  EXPECT_THAT(outcome.err, HasSubstr("pupflow: rank 2 has been silent for too long"));
+  expect_whole();
+}
+
+TEST_F(FailingRanks, OneKilledTakesTheJobWithItElseAndTheSameCommandGoesOn) {
+  const Outcome outcome = disturbed(2, SIGKILL, 1);
+  EXPECT_NE(outcome.code, 0);
+  expect_resumed(4);
+}
+
+TEST_F(FailingRanks, TheFirstKilledEndsTheJobAndTheSameCommandGoesOn) {
+  const Outcome outcome = disturbed(2, SIGKILL, 0, {"--enable-recovery"});
+  EXPECT_THAT(outcome.err, HasSubstr("rank 1 leaves: rank 0 has been silent for too long"));
+  expect_resumed(2);
+}
+
+TEST_F(FailingRanks, OneThatHangsIsGivenUpAndTakenDownAtTheEnd) {
+  const Outcome outcome = disturbed(4, SIGSTOP, 3);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("pupflow: rank 3 has been silent for too long"));
+  EXPECT_THAT(outcome.out, HasSubstr("200 runs in s/runs.csv\n"));
+  expect_whole();
+}
+
+TEST_F(FailingRanks, InterruptedTheyKeepWhatIsFinished) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    fs::remove_all(scratch_.path("s"));
+    const Outcome outcome = disturbed(2, signal, std::nullopt);
+    EXPECT_NE(outcome.code, 0);
+    EXPECT_THAT(outcome.err, HasSubstr("of 200 runs finished; the same command goes on"));
+    EXPECT_FALSE(exists("s/runs.csv"));
+  }
+  expect_resumed(2);
+}
+
+TEST_F(FailingRanks, TheFirstInterruptedEndsTheJobWithItsCode) {
+  EXPECT_EQ(disturbed(2, SIGTERM, 0).code, 130);
+  expect_resumed(2);
+}
+
+}  // namespace
+}  // namespace pupflow::mpi::test

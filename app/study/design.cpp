@@ -149,8 +149,9 @@ std::vector<std::int64_t> Design::own_runs() const {
 }
 
 std::int64_t run_seed(std::int64_t base_seed, std::int64_t run) {
-  // An odd factor is a bijection modulo 2^53, so no two runs of a sweep share a seed.
-  constexpr std::uint64_t kSeedMask = (std::uint64_t{1} << 53) - 1, kOdd = 0x9e3779b97f4a7c15u;
+  // An odd factor is a bijection modulo 2^31, so no two runs of a sweep share a seed. Such a seed
+  // is short to type and fits what other programs take for one.
+  constexpr std::uint64_t kSeedMask = (std::uint64_t{1} << 31) - 1, kOdd = 0x9e3779b97f4a7c15u;
   const std::uint64_t start = mix_bits(static_cast<std::uint64_t>(base_seed));
   return static_cast<std::int64_t>((start + static_cast<std::uint64_t>(run) * kOdd) & kSeedMask);
 }

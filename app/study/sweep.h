@@ -14,7 +14,7 @@ struct SweepJob {
   std::string folder;
   int threads = 1;
   Crew* crew = nullptr;  // computes in place of this process's threads
-  bool force = false;  // start afresh where another sweep is
+  bool force = false;    // start afresh where another sweep is
   bool quiet = false;
 };
 

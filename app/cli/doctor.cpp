@@ -1,9 +1,12 @@
 // pupflow doctor: what is here, what is missing, and how to get it.
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
 #include "app/cli/graphics_module.h"
 #include "app/cli/machine.h"
+#include "app/cli/module.h"
 #include "app/cli/table.h"
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
@@ -14,6 +17,14 @@ namespace {
 struct Options {
   Common common;
 };
+
+bool is_module_there(const std::string& file) {
+  const std::vector<std::string> places = module_candidates(file);
+  return std::any_of(places.begin(), places.end(), [](const std::string& place) {
+    std::error_code unreadable;  // as good as not there
+    return std::filesystem::exists(place, unreadable);
+  });
+}
 
 std::vector<Row> build_rows() {
   return {{"version", PUPFLOW_VERSION},
@@ -40,6 +51,12 @@ void work(const Options& options) {
   std::vector<std::string> advice;
   const bool plots = is_program("gnuplot");
   rows.push_back({"figures", plots ? "gnuplot found" : "no gnuplot"});
+  const bool ranks = is_module_there("libpupflow_mpi.so");
+  rows.push_back({"mpi", ranks ? "module found: mpirun and srun spread sweeps" : "not built"});
+  if (!ranks) {
+    advice.emplace_back(
+        "sweeps over several machines need MPI: apt install libopenmpi-dev, build again");
+  }
   if (!plots) advice.emplace_back("the figures of sweeps need gnuplot: apt install gnuplot-nox");
   try {
     pictures::Graphics& graphics = load_graphics();

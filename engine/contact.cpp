@@ -36,9 +36,9 @@ bool balls_meet(const Bounds<Real>& a, const Bounds<Real>& b, Real reach) {
 template <class Real>
 void Contacts<Real>::Side::make_room(int stride) {
   const std::size_t room = stride + kLanes<Real>;
-  if (point.size() == room) return;
   point.resize(room);
   numbers.resize(11 * room);
+  // Set anew each time: in a copied simulation they would still point into the original.
   Real* next = numbers.data();
   const auto take = [&] {
     next += room;

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/support/litter.h"
 
@@ -40,6 +42,22 @@ TEST(Simulation, ACopyIsASnapshotThatGoesOnAlike) {
   EXPECT_EQ(c.hash(), a.hash());
   const Simulation d = std::move(c);
   EXPECT_EQ(d.hash(), a.hash());
+}
+
+TEST(Simulation, CopiesShareNothing) {
+  Params p;
+  p.ta = 0.2;
+  auto original = std::make_unique<Simulation>(p);
+  original->run(400);
+  Simulation a = *original, b = *original;
+  original->run(300);
+  const std::uint64_t expected = original->hash();
+  original.reset();
+  std::jthread other([&] { a.run(300); });
+  b.run(300);
+  other.join();
+  EXPECT_EQ(a.hash(), expected);
+  EXPECT_EQ(b.hash(), expected);
 }
 
 TEST(Simulation, ASnapshotGoesOnBitForBit) {

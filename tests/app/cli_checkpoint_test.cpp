@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "program.h"
-#include "scratch.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow {
 namespace {

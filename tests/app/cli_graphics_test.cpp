@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "program.h"
-#include "scratch.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow {
 namespace {

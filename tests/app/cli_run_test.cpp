@@ -10,7 +10,7 @@
 #include "engine/metrics.h"
 #include "engine/simulation.h"
 #include "program.h"
-#include "scratch.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow {
 namespace {

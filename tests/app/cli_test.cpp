@@ -3,7 +3,7 @@
 
 #include "engine/params.h"
 #include "program.h"
-#include "scratch.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/io/provenance.h"
 #include "app/io/recording.h"
 #include "failing.h"
-#include "scratch.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::io {
 namespace {

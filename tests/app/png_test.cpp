@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "failing.h"
-#include "scratch.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::io {
 namespace {

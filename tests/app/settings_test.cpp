@@ -4,7 +4,7 @@
 
 #include "app/io/csv.h"
 #include "failing.h"
-#include "scratch.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::io {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/program.h"
-#include "tests/app/scratch.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/app/program.h"
-#include "tests/app/scratch.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::mpi::test {
 

@@ -7,7 +7,7 @@
 #include "app/context/headless.h"
 #include "app/io/failure.h"
 #include "app/pictures/figure1.h"
-#include "tests/pictures/temporary_folder.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::context {
 namespace {
@@ -78,12 +78,12 @@ TEST_F(NoContext, ProbingTellsInsteadOfFailing) {
 }
 
 TEST_F(NoContext, LeavesNoFigure) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   EXPECT_EXIT(run_as_program([&] {
                 take_drivers_away();
                 pictures::Figure1Job job;
                 job.params.steps = 1;
-                job.output = {folder.file("figure.png"), false, true};
+                job.output = {folder.path("figure.png"), false, true};
                 pictures::figure1(job);
               }),
               ::testing::ExitedWithCode(5), "");

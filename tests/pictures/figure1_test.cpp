@@ -13,18 +13,18 @@
 #include "app/io/provenance.h"
 #include "app/view/colormap.h"
 #include "tests/pictures/gl_test.h"
-#include "tests/pictures/temporary_folder.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::pictures {
 namespace {
 
 using view::Rgb;
 
-Figure1Job small_job(const TemporaryFolder& folder) {
+Figure1Job small_job(const test::Scratch& folder) {
   Figure1Job job;
   job.params.steps = 600;
   job.panel = 160;
-  job.output = {folder.file("figure1.png"), false, true};
+  job.output = {folder.path("figure1.png"), false, true};
   return job;
 }
 
@@ -90,7 +90,7 @@ double mean_tb_after_run(Params params, double ta) {
 }
 
 TEST(Figure1, PanelsShowTheLittersTemperatures) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   const Figure1Job job = small_job(folder);
   figure1(job);
   const io::Image image = io::read_png(job.output.path);
@@ -109,7 +109,7 @@ TEST(Figure1, PanelsShowTheLittersTemperatures) {
 }
 
 TEST(Figure1, BarHasTheColoursOfTheMap) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   Figure1Job job = small_job(folder);
   job.params.steps = 0;
   job.panel = 400;
@@ -143,7 +143,7 @@ TEST(Figure1, BarHasTheColoursOfTheMap) {
 }
 
 TEST(Figure1, CarriesItsParameters) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   Figure1Job job = small_job(folder);
   job.params.steps = 3;
   job.params.seed = 77;
@@ -157,7 +157,7 @@ TEST(Figure1, CarriesItsParameters) {
 }
 
 TEST(Figure1, SameJobSamePixels) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   Figure1Job job = small_job(folder);
   job.params.steps = 120;
   figure1(job);
@@ -168,7 +168,7 @@ TEST(Figure1, SameJobSamePixels) {
 }
 
 TEST(Figure1, ManyPanelsGoToRows) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   Figure1Job job = small_job(folder);
   job.params.steps = 0;
   job.ta = {0, 0.1, 0.2, 0.3, 0.4, 0.5};
@@ -189,7 +189,7 @@ io::ExitCode code_of(const Figure1Job& job) {
 }
 
 TEST(Figure1, RefusesBadInput) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   Figure1Job job = small_job(folder);
   job.ta = {};
   EXPECT_EQ(code_of(job), io::ExitCode::bad_input);
@@ -209,7 +209,7 @@ TEST(Figure1, RefusesBadInput) {
 }
 
 TEST(Figure1, KeepsWhatExistsUnlessForced) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   Figure1Job job = small_job(folder);
   job.params.steps = 1;
   std::ofstream(job.output.path) << "precious";
@@ -222,7 +222,7 @@ TEST(Figure1, KeepsWhatExistsUnlessForced) {
 }
 
 TEST(Figure1, BadNumbersLeaveNoFigure) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   Figure1Job job = small_job(folder);
   job.params.gravity = 1e308;
   EXPECT_EQ(code_of(job), io::ExitCode::bad_numbers);

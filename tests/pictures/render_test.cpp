@@ -13,19 +13,19 @@
 #include "app/io/png.h"
 #include "app/io/provenance.h"
 #include "tests/pictures/gl_test.h"
-#include "tests/pictures/temporary_folder.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::pictures {
 namespace {
 
 using ::testing::HasSubstr;
 
-RenderJob small_job(const TemporaryFolder& folder) {
+RenderJob small_job(const test::Scratch& folder) {
   RenderJob job;
   job.at = {0, 20, 40};
   job.width = 320;
   job.height = 240;
-  job.output = {folder.file("%04d.png"), false, true};
+  job.output = {folder.path("%04d.png"), false, true};
   return job;
 }
 
@@ -39,13 +39,13 @@ io::Failure failure_of(const RenderJob& job) {
 }
 
 TEST(Render, WritesAFrameForEachStep) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   const RenderJob job = small_job(folder);
   render(job);
   EXPECT_EQ(folder.entries(), 3);
   std::vector<std::vector<std::uint8_t>> frames;
   for (const char* name : {"0000.png", "0020.png", "0040.png"}) {
-    const io::Image image = io::read_png(folder.file(name));
+    const io::Image image = io::read_png(folder.path(name));
     EXPECT_EQ(image.width, 320);
     EXPECT_EQ(image.height, 240);
     frames.push_back(image.rgba);
@@ -55,31 +55,31 @@ TEST(Render, WritesAFrameForEachStep) {
 }
 
 TEST(Render, AFrameDoesNotDependOnTheFramesBefore) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   RenderJob job = small_job(folder);
   render(job);
   job.at = {40};
-  job.output.path = folder.file("alone.png");
+  job.output.path = folder.path("alone.png");
   render(job);
-  EXPECT_EQ(io::read_png(folder.file("alone.png")).rgba,
-            io::read_png(folder.file("0040.png")).rgba);
+  EXPECT_EQ(io::read_png(folder.path("alone.png")).rgba,
+            io::read_png(folder.path("0040.png")).rgba);
 }
 
 TEST(Render, CarriesParametersAndStep) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   RenderJob job = small_job(folder);
   job.params.seed = 5;
   job.params.ta = 0.31;
   job.camera = "orbit:10,20,9";
   render(job);
-  const auto text = io::read_png_text(folder.file("0020.png"));
+  const auto text = io::read_png_text(folder.path("0020.png"));
   EXPECT_EQ(io::params_from(text, "frame"), job.params);
   EXPECT_THAT(text, ::testing::Contains(::testing::Pair("step", "20")));
   EXPECT_THAT(text, ::testing::Contains(::testing::Pair("camera", "orbit:10,20,9")));
 }
 
 TEST(Render, WithoutTheBarTheArenaGetsAllTheRoom) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   RenderJob job = small_job(folder);
   job.params.pups = 0;
   job.camera = "top";
@@ -90,7 +90,7 @@ TEST(Render, WithoutTheBarTheArenaGetsAllTheRoom) {
     job.bar = bar;
     job.output.force = true;
     render(job);
-    const io::Image image = io::read_png(folder.file("0000.png"));
+    const io::Image image = io::read_png(folder.path("0000.png"));
     int width = 0;
     while (width < 300 && colour_at(image, width, 150) == view::Rgb{255, 255, 255}) ++width;
     const int begin = width;
@@ -102,13 +102,13 @@ TEST(Render, WithoutTheBarTheArenaGetsAllTheRoom) {
 }
 
 TEST(Render, TheFrameTakesInTheWholeLitter) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   RenderJob job = small_job(folder);
   job.camera = "side";
   job.bar = false;
   const auto rows_above_the_litter = [&](std::int64_t step) {
     job.at = {step};
-    job.output = {folder.file("side.png"), true, true};
+    job.output = {folder.path("side.png"), true, true};
     render(job);
     const io::Image image = io::read_png(job.output.path);
     const view::Rgb paper{255, 255, 255};
@@ -128,15 +128,15 @@ TEST(Render, TheFrameTakesInTheWholeLitter) {
 }
 
 TEST(Render, MakesTheFolderOfNumberedFrames) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   RenderJob job = small_job(folder);
-  job.output.path = folder.file("new/frames/%05d.png");
+  job.output.path = folder.path("new/frames/%05d.png");
   render(job);
-  EXPECT_TRUE(std::filesystem::exists(folder.file("new/frames/00040.png")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("new/frames/00040.png")));
 }
 
 TEST(Render, RefusesBadInputBeforeAnyFrame) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   const auto expect_bad = [&](auto change, const char* word) {
     RenderJob job = small_job(folder);
     change(job);
@@ -153,14 +153,14 @@ TEST(Render, RefusesBadInputBeforeAnyFrame) {
   expect_bad([](RenderJob& job) { job.width = 60; }, "60");
   expect_bad([](RenderJob& job) { job.at = {}; }, "steps");
   expect_bad([](RenderJob& job) { job.at = {-1, 3}; }, "steps");
-  expect_bad([&](RenderJob& job) { job.output.path = folder.file("one.png"); }, "%05d");
+  expect_bad([&](RenderJob& job) { job.output.path = folder.path("one.png"); }, "%05d");
   EXPECT_EQ(folder.entries(), 0);
 }
 
 TEST(Render, LooksForExistingFramesBeforeTheFirstStep) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   RenderJob job = small_job(folder);
-  std::ofstream(folder.file("0040.png")) << "precious";
+  std::ofstream(folder.path("0040.png")) << "precious";
   EXPECT_EQ(failure_of(job).code(), io::ExitCode::bad_file);
   EXPECT_EQ(folder.entries(), 1);
   job.output.force = true;
@@ -169,19 +169,19 @@ TEST(Render, LooksForExistingFramesBeforeTheFirstStep) {
 }
 
 TEST(Render, BadNumbersKeepTheFramesSoFar) {
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   RenderJob job = small_job(folder);
   job.params.gravity = 1e308;
   const io::Failure what = failure_of(job);
   EXPECT_EQ(what.code(), io::ExitCode::bad_numbers);
   EXPECT_THAT(what.what(), HasSubstr("1 of 3 frames"));
   EXPECT_EQ(folder.entries(), 1);
-  EXPECT_EQ(io::read_png(folder.file("0000.png")).width, 320);
+  EXPECT_EQ(io::read_png(folder.path("0000.png")).width, 320);
 }
 
 TEST(Render, AnInterruptKeepsTheFramesSoFar) {
   GTEST_FLAG_SET(death_test_style, "fast");
-  const TemporaryFolder folder;
+  const test::Scratch folder;
   const RenderJob job = small_job(folder);
   EXPECT_EXIT(
       {
@@ -193,7 +193,7 @@ TEST(Render, AnInterruptKeepsTheFramesSoFar) {
       },
       ::testing::ExitedWithCode(130), "1 of 3 frames");
   EXPECT_EQ(folder.entries(), 1);
-  EXPECT_EQ(io::read_png(folder.file("0000.png")).height, 240);
+  EXPECT_EQ(io::read_png(folder.path("0000.png")).height, 240);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "app/gl/program.h"
 #include "app/io/failure.h"
 #include "tests/pictures/gl_test.h"
-#include "tests/pictures/temporary_folder.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::gl {
 namespace {
@@ -24,9 +24,9 @@ class ShaderTest : public GlTest {
     for (const char* file : kFiles) write(file, std::string(embedded_shader(file)));
   }
   void write(const std::string& file, const std::string& text) const {
-    std::ofstream(folder_.file(file)) << text;
+    std::ofstream(folder_.path(file)) << text;
   }
-  std::string directory() const { return folder_.file(""); }
+  std::string directory() const { return folder_.path(""); }
 
   /// What a renderer with these shaders fails with.
   io::Failure failure() const {
@@ -39,7 +39,7 @@ class ShaderTest : public GlTest {
     return {io::ExitCode::done, ""};
   }
 
-  TemporaryFolder folder_;
+  test::Scratch folder_;
 };
 
 TEST_F(ShaderTest, AreReadFromAFolderInstead) {
@@ -64,7 +64,7 @@ TEST_F(ShaderTest, AnErrorNamesFileAndLine) {
   write("spheres.frag", "#version 330 core\nvoid main() {\n  nonsense;\n}\n");
   const io::Failure what = failure();
   EXPECT_EQ(what.code(), io::ExitCode::bad_input);
-  EXPECT_THAT(what.what(), AllOf(HasSubstr(folder_.file("")), HasSubstr("spheres.frag"),
+  EXPECT_THAT(what.what(), AllOf(HasSubstr(folder_.path("")), HasSubstr("spheres.frag"),
                                  HasSubstr("nonsense"), HasSubstr("3")));
   EXPECT_EQ(std::string(what.what()).find('\n'), std::string::npos);
 }
@@ -80,7 +80,7 @@ TEST_F(ShaderTest, StagesThatDoNotFitAreNamed) {
 }
 
 TEST_F(ShaderTest, AMissingFileIsNamed) {
-  std::filesystem::remove(folder_.file("resolve.vert"));
+  std::filesystem::remove(folder_.path("resolve.vert"));
   const io::Failure what = failure();
   EXPECT_EQ(what.code(), io::ExitCode::bad_file);
   EXPECT_THAT(what.what(), HasSubstr("resolve.vert"));

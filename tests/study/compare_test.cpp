@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "tests/app/failing.h"
-#include "tests/app/scratch.h"
 #include "tests/study/small_design.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::study {
 namespace {

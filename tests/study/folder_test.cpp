@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/failing.h"
-#include "tests/app/scratch.h"
 #include "tests/study/small_design.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::study {
 namespace {

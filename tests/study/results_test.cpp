@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "tests/app/failing.h"
-#include "tests/app/scratch.h"
 #include "tests/study/small_design.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::study {
 namespace {

@@ -85,9 +85,8 @@ void predict(const Params& params, State<Real>& state, int pup) {
 }
 
 template <class Real>
-RotationKind match_shape(const Params& params, const Cloud<Real>& cloud, State<Real>& state,
-                         int pup) {
-  const bool quadratic = params.beta > 0;
+RotationKind match_shape(const Params& params, bool quadratic, const Cloud<Real>& cloud,
+                         State<Real>& state, int pup) {
   const ModeMatrix fit = fit_modes(cloud, state, pup, quadratic);
   RotationKind kind = RotationKind::regular;
   const ModeMatrix goal = goal_modes(fit, cloud.linear_scale, params.beta, kind);
@@ -104,10 +103,11 @@ RotationKind match_shape(const Params& params, const Cloud<Real>& cloud, State<R
   return kind;
 }
 
-#define PUPFLOW_INSTANTIATE(Real)                                                         \
-  template ModeMatrix fit_modes<Real>(const Cloud<Real>&, const State<Real>&, int, bool); \
-  template void predict<Real>(const Params&, State<Real>&, int);                          \
-  template RotationKind match_shape<Real>(const Params&, const Cloud<Real>&, State<Real>&, int);
+#define PUPFLOW_INSTANTIATE(Real)                                                                \
+  template ModeMatrix fit_modes<Real>(const Cloud<Real>&, const State<Real>&, int, bool);        \
+  template void predict<Real>(const Params&, State<Real>&, int);                                 \
+  template RotationKind match_shape<Real>(const Params&, bool, const Cloud<Real>&, State<Real>&, \
+                                          int);
 PUPFLOW_INSTANTIATE(float)
 PUPFLOW_INSTANTIATE(double)
 #undef PUPFLOW_INSTANTIATE

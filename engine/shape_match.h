@@ -39,9 +39,10 @@ ModeMatrix goal_modes(const ModeMatrix& fit, double linear_scale, double beta, R
 template <class Real>
 void predict(const Params& params, State<Real>& state, int pup);
 
-/// Draws one pup's points towards their goals. Returns how the rotation was found.
+/// Draws one pup's points towards their goals, fitted with or without the quadratic modes. Returns
+/// how the rotation was found.
 template <class Real>
-RotationKind match_shape(const Params& params, const Cloud<Real>& cloud, State<Real>& state,
-                         int pup);
+RotationKind match_shape(const Params& params, bool quadratic, const Cloud<Real>& cloud,
+                         State<Real>& state, int pup);
 
 }  // namespace pupflow

@@ -36,10 +36,10 @@ Status move(const Params& params, State<Real>& state, bool last) {
 }
 
 template <class Real>
-Status match(const Params& params, const Cloud<Real>& cloud, State<Real>& state,
+Status match(const Params& params, bool quadratic, const Cloud<Real>& cloud, State<Real>& state,
              StepCounters& counters, bool last) {
   for (int pup = 0; pup < state.pups; ++pup) {
-    const RotationKind kind = match_shape(params, cloud, state, pup);
+    const RotationKind kind = match_shape(params, quadratic, cloud, state, pup);
     counters.rotation_fallbacks += kind == RotationKind::regular ? 0 : 1;
   }
   return last ? finish_motion(params, state, Stage::shape_match) : Status{};
@@ -82,7 +82,7 @@ Status step_litter(const Params& params, const Plan& plan, const Cloud<Real>& cl
         status = move(params, state, predict_last);
         break;
       case Stage::shape_match:
-        status = match(params, cloud, state, counters, predict_first);
+        status = match(params, plan.quadratic, cloud, state, counters, predict_first);
         break;
     }
     if (listener != nullptr) listener->stage_ends(stage);

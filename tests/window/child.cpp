@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,9 +52,9 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 Child::Child(const ChildOptions& options) {
   std::array<int, 2> pipe{};
   if (pipe2(pipe.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-  std::string error_path = "/tmp/pupflow-child-XXXXXX";
-  error_file_ = mkostemp(error_path.data(), O_CLOEXEC);
-  unlink(error_path.c_str());
+  error_file_ = memfd_create("errors", MFD_CLOEXEC);
+  if (error_file_ < 0)
+    throw std::runtime_error("no file for what the child says on standard error");
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

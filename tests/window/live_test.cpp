@@ -15,6 +15,7 @@
 #include "app/io/png.h"
 #include "app/io/provenance.h"
 #include "engine/simulation.h"
+#include "tests/support/scratch.h"
 #include "tests/window/child.h"
 #include "tests/window/screen.h"
 
@@ -43,22 +44,13 @@ std::string headless_hash(const Params& params, std::int64_t steps) {
 
 class Live : public ::testing::Test {
  protected:
-  Live() {
-    std::string name = ::testing::TempDir() + "pupflow-live-XXXXXX";
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder at " + name);
-    folder_ = name;
-  }
-  ~Live() override {
-    window_.reset();
-    std::filesystem::remove_all(folder_);
-  }
-
   /// Opens the window and waits until it stands.
   void open(std::vector<std::string> options = {}) {
     std::vector<std::string> arguments{PUPFLOW_PROGRAM, "live", "--test-events"};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    window_ = std::make_unique<Child>(ChildOptions{
-        .arguments = arguments, .environment = screen_.environment(), .folder = folder_.string()});
+    window_ = std::make_unique<Child>(ChildOptions{.arguments = arguments,
+                                                   .environment = screen_.environment(),
+                                                   .folder = scratch_.folder().string()});
     await("camera ");  // printed with the first frame, after the widgets
   }
 
@@ -104,7 +96,7 @@ class Live : public ::testing::Test {
   int exit_code() { return window_->wait().value_or(-1); }
 
   Screen screen_;
-  std::filesystem::path folder_;
+  const test::Scratch scratch_;  // outlives the window
   std::unique_ptr<Child> window_;
 
  private:
@@ -166,7 +158,7 @@ TEST_F(Live, ThePictureCarriesTheEditedParameters) {
   screen_.press("F12");
   EXPECT_EQ(await("screenshot "), "shot-001-2.png");
 
-  const std::string path = (folder_ / "shot-001.png").string();
+  const std::string path = scratch_.path("shot-001.png");
   Params expected;
   expected.seed = 9;
   expected.ta = 0.2345;
@@ -188,10 +180,10 @@ TEST_F(Live, ThePictureIsTheOneThatRenderMakes) {
   ASSERT_EQ(run_command({.arguments = {PUPFLOW_PROGRAM, "render", "--seed", "4", "--at", "100",
                                        "--out", "render.png", "--quiet"},
                          .environment = screen_.environment(),
-                         .folder = folder_.string()}),
+                         .folder = scratch_.folder().string()}),
             0);
-  const io::Image live = io::read_png((folder_ / "live.png").string());
-  const io::Image render = io::read_png((folder_ / "render.png").string());
+  const io::Image live = io::read_png(scratch_.path("live.png"));
+  const io::Image render = io::read_png(scratch_.path("render.png"));
   ASSERT_EQ(live.rgba.size(), render.rgba.size());
   std::size_t different = 0;
   for (std::size_t i = 0; i < live.rgba.size(); ++i) {

@@ -26,8 +26,11 @@ double mean_touched_temperature(const State<Real>& state, int pup) {
 double heat_step(const Params& params, double tb, double exposed, double contact_mean) {
   const double to_air = params.k1 * exposed;
   const double to_others = exposed < 1 ? params.k2 * (1 - exposed) : 0;
-  // Differences first: terms of huge opposite temperatures then do not cancel.
-  const double rate = params.g - to_air * (tb - params.ta) - to_others * (tb - contact_mean);
+  // Differences first: terms of huge opposite temperatures then do not cancel. What conducts
+  // nothing exchanges nothing, even where a difference overflows.
+  const double loss_to_air = to_air > 0 ? to_air * (tb - params.ta) : 0;
+  const double loss_to_others = to_others > 0 ? to_others * (tb - contact_mean) : 0;
+  const double rate = params.g - loss_to_air - loss_to_others;
   if (params.heat == HeatRule::euler) return tb + params.dt * rate;
   const double decay = (to_air + to_others) * params.dt;
   const double weight = decay > 0 ? -expm1_fixed(-decay) / decay : 1;

@@ -83,6 +83,15 @@ Plan make_plan(const Params& params, bool observed) {
   return plan;
 }
 
+Plan joined(const Plan& plan, const Plan& more) {
+  Plan both;
+  for (int i = 0; i < kStageCount; ++i) both.needed[i] = plan.needed[i] || more.needed[i];
+  both.quadratic = both.has(Stage::shape_match) && (plan.quadratic || more.quadratic);
+  both.afferents =
+      both.has(Stage::contact) && (plan.afferents || more.afferents || both.has(Stage::steering));
+  return both;
+}
+
 std::vector<PlannedStage> explain_plan(const Params& params, bool observed) {
   std::vector<PlannedStage> stages;
   const Plan plan = make_plan(params, observed);

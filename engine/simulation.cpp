@@ -35,14 +35,17 @@ class Simulation::Model {
   virtual std::uint64_t hash() const = 0;
   virtual void load(const Snapshot& snapshot) = 0;  // whose sizes fit
 
+  /// Makes the plan anew, after a change of what it is made from.
+  void replan() { plan = joined(make_plan(params, observed), forced); }
+
   Params params;
-  Plan plan;
+  Plan plan, forced;
   bool observed = true;
   Status status;
   StepCounters counters;
 
  protected:
-  explicit Model(const Params& p) : params(p), plan(make_plan(p, true)) {}
+  explicit Model(const Params& p) : params(p) { replan(); }
   Model(const Model&) = default;
 };
 
@@ -216,12 +219,17 @@ void Simulation::set_params(const Params& params) {
   }
   if (params.dt != model_->params.dt) model_->clock() = {steps_done(), time()};
   model_->params = params;
-  model_->plan = make_plan(params, model_->observed);
+  model_->replan();
 }
 
 void Simulation::set_observed(bool observed) {
   model_->observed = observed;
-  model_->plan = make_plan(model_->params, observed);
+  model_->replan();
+}
+
+void Simulation::force_plan(const Plan& more) {
+  model_->forced = more;
+  model_->replan();
 }
 
 const Plan& Simulation::plan() const {

@@ -47,6 +47,13 @@ class Simulation {
   /// else needs them, contacts do not record them while this is false.
   void set_observed(bool observed);
 
+  /// Runs the stages and parts of `more` too, from the next step on, though the scene needs none of
+  /// them; an empty plan ends that. For measuring what leaving out saves: positions, velocities and
+  /// temperatures keep their bits. So do headings, but for drive = 0, where a forced steering turns
+  /// pups that nothing drives.
+  void force_plan(const Plan& more);
+
+  /// What a step does: the stages that the scene needs, and those that were forced.
   const Plan& plan() const;
 
   /// One step, t -> t + dt. After a bad status, which it then keeps returning, it does nothing.

@@ -5,11 +5,11 @@
 #include <thread>
 
 #include "app/cli/graphics_module.h"
-#include "app/cli/machine.h"
 #include "app/cli/module.h"
-#include "app/cli/table.h"
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
+#include "app/io/machine.h"
+#include "app/io/table.h"
 
 namespace pupflow::cli {
 namespace {
@@ -26,16 +26,16 @@ bool is_module_there(const std::string& file) {
   });
 }
 
-std::vector<Row> build_rows() {
+std::vector<io::Row> build_rows() {
   return {{"version", PUPFLOW_VERSION},
-          {"compiler", compiler_words() + ", " + PUPFLOW_BUILD_TYPE + " build"},
-          {"processor", cpu_name()},
-          {"kernels", kernel_words()},
+          {"compiler", io::compiler_words()},
+          {"processor", io::cpu_name()},
+          {"kernels", io::kernel_words()},
           {"threads", std::to_string(std::thread::hardware_concurrency())}};
 }
 
 /// The rows for one kind of context: what was chosen and every attempt.
-void add_context(std::vector<Row>& rows, const std::string& what,
+void add_context(std::vector<io::Row>& rows, const std::string& what,
                  const pictures::ContextReport& report) {
   rows.push_back({what, report.works ? "works: " + report.chosen : "does not work"});
   if (report.works) {
@@ -47,9 +47,9 @@ void add_context(std::vector<Row>& rows, const std::string& what,
 
 void work(const Options& options) {
   io::set_up(options.common.settings);  // checked like everywhere
-  std::vector<Row> rows = build_rows();
+  std::vector<io::Row> rows = build_rows();
   std::vector<std::string> advice;
-  const bool plots = is_program("gnuplot");
+  const bool plots = io::is_program("gnuplot");
   rows.push_back({"figures", plots ? "gnuplot found" : "no gnuplot"});
   const bool ranks = is_module_there("libpupflow_mpi.so");
   rows.push_back({"mpi", ranks ? "module found: mpirun and srun spread sweeps" : "not built"});
@@ -77,7 +77,7 @@ void work(const Options& options) {
     rows.push_back({"graphics", "not available"});
     advice.emplace_back(failure.what());
   }
-  std::string text = aligned(rows);
+  std::string text = io::aligned(rows);
   text += advice.empty() ? "Nothing is missing.\n" : "Missing:\n";
   for (const std::string& line : advice) text += "  " + line + "\n";
   deliver(options.common, text);

@@ -4,11 +4,11 @@
 
 #include "app/cli/stage_timer.h"
 #include "app/cli/summary.h"
-#include "app/cli/table.h"
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
+#include "app/io/table.h"
 #include "engine/metrics.h"
 #include "engine/plan.h"
 
@@ -90,7 +90,7 @@ std::string costs_words(const Costs& costs, const Params& params) {
 }
 
 std::string explanation(const io::Setup& setup, const Costs& costs) {
-  std::vector<Row> rows{{"stage", "in the step", "µs a step", "why"}};
+  std::vector<io::Row> rows{{"stage", "in the step", "µs a step", "why"}};
   for (const PlannedStage& planned : explain_plan(setup.params, true)) {
     const double cost = costs.stages.median(planned.stage);
     rows.push_back({std::string(stage_name(planned.stage)), planned.needed ? "yes" : "no",
@@ -101,7 +101,7 @@ std::string explanation(const io::Setup& setup, const Costs& costs) {
                   "only after steps whose row or mean somebody asked for"});
   std::string text = setup.title.empty() ? "" : setup.title + "\n";
   if (!setup.description.empty()) text += setup.description + "\n";
-  text += litter_words(setup.params) + "\n\n" + aligned(rows) + "\n";
+  text += litter_words(setup.params) + "\n\n" + io::aligned(rows) + "\n";
   return text + costs_words(costs, setup.params);
 }
 

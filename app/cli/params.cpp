@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/cli/table.h"
 #include "app/cli/verb.h"
+#include "app/io/table.h"
 #include "app/io/text.h"
 #include "engine/params.h"
 
@@ -46,15 +46,15 @@ std::string default_text(const Parameter& parameter) {
 
 /// `values` gets a column of its own where a scene or an option was given.
 std::string text_table(const Params& values, bool with_values) {
-  std::vector<Row> rows{{"name", "symbol", "default", "range", "unit", "title", "source"}};
+  std::vector<io::Row> rows{{"name", "symbol", "default", "range", "unit", "title", "source"}};
   if (with_values) rows[0].insert(rows[0].begin() + 3, "here");
   for (const Parameter& p : parameters()) {
-    Row row{std::string(p.name), std::string(p.symbol), default_text(p),      range_text(p),
-            std::string(p.unit), std::string(p.title),  std::string(p.source)};
+    io::Row row{std::string(p.name), std::string(p.symbol), default_text(p),      range_text(p),
+                std::string(p.unit), std::string(p.title),  std::string(p.source)};
     if (with_values) row.insert(row.begin() + 3, format_value(p, values));
     rows.push_back(row);
   }
-  return aligned(rows);
+  return io::aligned(rows);
 }
 
 /// Groups in the order in which the table first names them.
@@ -78,23 +78,23 @@ std::string markdown(const Params& values, bool with_values) {
     std::string heading(group);
     heading[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(heading[0])));
     text += "\n## " + heading + "\n\n";
-    std::vector<Row> rows{
+    std::vector<io::Row> rows{
         {"name", "symbol", "default", "range", "unit", "acts", "meaning", "source"}};
     if (with_values) rows[0].insert(rows[0].begin() + 3, "here");
     for (const Parameter& p : parameters()) {
       if (p.group != group) continue;
-      Row row{"`" + std::string(p.name) + "`",
-              std::string(p.symbol),
-              default_text(p),
-              range_text(p),
-              std::string(p.unit),
-              std::string(effect_word(p.effect)),
-              std::string(p.doc),
-              std::string(p.source)};
+      io::Row row{"`" + std::string(p.name) + "`",
+                  std::string(p.symbol),
+                  default_text(p),
+                  range_text(p),
+                  std::string(p.unit),
+                  std::string(effect_word(p.effect)),
+                  std::string(p.doc),
+                  std::string(p.source)};
       if (with_values) row.insert(row.begin() + 3, format_value(p, values));
       rows.push_back(row);
     }
-    text += markdown_table(rows);
+    text += io::markdown_table(rows);
   }
   return text;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "app/io/gnuplot.h"
 #include "app/io/text.h"
 
 namespace pupflow::study {
@@ -47,12 +48,6 @@ constexpr Panel kMaps[] = {
     {"flow", "pup flow |dA/dt|  (1/s)"},
     {"membership_flow", "membership flow  (1/s)"},
 };
-
-/// Nine stops of viridis (CC0, van der Walt & Smith).
-constexpr const char* kViridis =
-    "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', 5 "
-    "'#28ae80', "
-    "6 '#5ec962', 7 '#addc30', 8 '#fde725')\n";
 
 std::string opening(const Design& design, int width, int height) {
   std::ostringstream s;
@@ -135,8 +130,8 @@ std::string heat_maps(const Design& design, const Axis& down, const Axis& across
   std::ostringstream s;
   s << opening(design, 1400, 860)
     << "  set multiplot layout 2,3 margins 0.06,0.95,0.08,0.94 spacing 0.13,0.13\n"
-    << "  " << kViridis << "  set xlabel \"" << label(*across.parameter) << "\"\n  set ylabel \""
-    << label(*down.parameter)
+    << "  " << io::kViridisPalette << "  set xlabel \"" << label(*across.parameter)
+    << "\"\n  set ylabel \"" << label(*down.parameter)
     << "\"\n  unset key\n"
     // Cells by index, named by value, so that uneven and listed values fill the plane too.
     << "  set xrange [-0.5:" << across.values.size()

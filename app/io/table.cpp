@@ -1,8 +1,8 @@
-#include "app/cli/table.h"
+#include "app/io/table.h"
 
 #include <algorithm>
 
-namespace pupflow::cli {
+namespace pupflow::io {
 namespace {
 
 /// Characters in UTF-8 text: every byte that does not go on with one.
@@ -44,4 +44,4 @@ std::string markdown_table(const std::vector<Row>& rows) {
   return text;
 }
 
-}  // namespace pupflow::cli
+}  // namespace pupflow::io

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace pupflow::cli {
+namespace pupflow::io {
 
 using Row = std::vector<std::string>;
 
@@ -15,4 +15,4 @@ std::string aligned(const std::vector<Row>& rows);
 /// The rows as a Markdown table; the first is its head, and all are as long.
 std::string markdown_table(const std::vector<Row>& rows);
 
-}  // namespace pupflow::cli
+}  // namespace pupflow::io

@@ -1,4 +1,4 @@
-#include "app/cli/machine.h"
+#include "app/io/machine.h"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 
 #include "engine/kernels.h"
 
-namespace pupflow::cli {
+namespace pupflow::io {
 namespace {
 
 /// The value of the first line of /proc/cpuinfo that begins with `key`; empty when there is none.
@@ -27,9 +27,9 @@ std::string cpuinfo(const std::string& key) {
 
 std::string compiler_words() {
 #if defined(__clang__)
-  return "clang " __clang_version__;
+  return "clang " __clang_version__ ", " PUPFLOW_BUILD_TYPE " build";
 #else
-  return "g++ " __VERSION__;
+  return "g++ " __VERSION__ ", " PUPFLOW_BUILD_TYPE " build";
 #endif
 }
 
@@ -57,4 +57,4 @@ bool is_program(const std::string& name) {
   return false;
 }
 
-}  // namespace pupflow::cli
+}  // namespace pupflow::io

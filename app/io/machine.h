@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace pupflow::cli {
+namespace pupflow::io {
 
-/// The compiler's name and version.
+/// The compiler's name and version, and the type of build.
 std::string compiler_words();
 
 /// The instruction set that the engine's loops use here, and those that they could.
@@ -17,4 +17,4 @@ std::string cpu_name();
 /// Whether a program of that name is on the PATH.
 bool is_program(const std::string& name);
 
-}  // namespace pupflow::cli
+}  // namespace pupflow::io

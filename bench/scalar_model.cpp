@@ -1,0 +1,39 @@
+#include "bench/scalar_model.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace pupflow::bench {
+
+void require_baseline_model(const Params& params) {
+  if (params.heading == Heading::course && params.integrator == Integrator::predictive &&
+      params.heat == HeatRule::exact) {
+    return;
+  }
+  throw std::invalid_argument(
+      "the baselines step heading = course, integrator = predictive, heat = exact");
+}
+
+double turn_of(const Params& params, double tb, double left, double right) {
+  const auto sensed = [&](double t) {
+    return 1 / (1 + std::exp(-params.sigma * t * (params.tp - tb)));
+  };
+  const double s_left = sensed(left), s_right = sensed(right);
+  return std::atan(params.v * (s_left - s_right) / (s_left + s_right));
+}
+
+double warmed(const Params& params, double tb, double exposed, double touched_mean) {
+  const double to_air = params.k1 * exposed;
+  const double to_others = params.k2 * (1 - exposed);
+  const double rate = to_air + to_others;
+  const double gain = params.g + to_air * params.ta + to_others * touched_mean;
+  if (rate == 0) return tb + params.dt * gain;
+  const double end = gain / rate;
+  return end + (tb - end) * std::exp(-rate * params.dt);
+}
+
+double wrapped(double radians) {
+  return std::atan2(std::sin(radians), std::cos(radians));
+}
+
+}  // namespace pupflow::bench

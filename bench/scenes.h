@@ -1,0 +1,18 @@
+// The litters that are measured.
+#pragma once
+
+#include "engine/simulation.h"
+
+namespace pupflow::bench {
+
+/// Steps after which the paper's litter has landed and huddles or has spread.
+constexpr std::int64_t kSettled = 500;
+
+/// The paper's litter, seed 1, at T_a = 0.2 (huddling) and at T_a = 0.8 (dispersed).
+Params huddling(Precision precision);
+Params dispersed(Precision precision);
+
+/// `params` after `steps` steps. Throws std::runtime_error on a bad status.
+Simulation after(const Params& params, std::int64_t steps);
+
+}  // namespace pupflow::bench

@@ -198,11 +198,13 @@ void gather(const Real* const xyz[3], int points, const Region<Real>& region,
 
 template <class Real>
 void clear(ContactSums<Real>& sums, int count) {
-  for (int i = 0; i < padded<Real>(count); ++i) {
-    for (int axis = 0; axis < 3; ++axis) sums.push[axis][i] = sums.pull[axis][i] = 0;
-    sums.uppers[i] = 0;
-    sums.nearest[i] = std::numeric_limits<Real>::infinity();
+  using P = Pack<Real>;
+  const P zero = P::zero(), nobody = P::broadcast(std::numeric_limits<Real>::infinity());
+  for (Real* const row : {sums.push[0], sums.push[1], sums.push[2], sums.pull[0], sums.pull[1],
+                          sums.pull[2], sums.uppers}) {
+    for (int i = 0; i < count; i += kLanes<Real>) zero.store(row + i);
   }
+  for (int i = 0; i < count; i += kLanes<Real>) nobody.store(sums.nearest + i);
 }
 
 template <class Real>
@@ -219,13 +221,16 @@ bool touch(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
           nobody = P::broadcast(std::numeric_limits<Real>::infinity());
   clear(sums_a, a.count);
   clear(sums_b, b.count);
+  const ContactSums<Real> to_b = sums_b;  // pointers that no store in the loop can change
+  const Real *const bx = b.x, *const by = b.y, *const bz = b.z;
+  const int count_b = b.count;
   bool any = false;
   for (int i = 0; i < a.count; ++i) {
     const P x = P::broadcast(a.x[i]), y = P::broadcast(a.y[i]), z = P::broadcast(a.z[i]);
     P push[3] = {zero, zero, zero}, pull[3] = {zero, zero, zero}, uppers = zero, nearest = nobody;
     bool hit = false;
-    for (int j = 0; j < b.count; j += kLanes<Real>) {
-      const P e[3] = {x - P::load(b.x + j), y - P::load(b.y + j), z - P::load(b.z + j)};
+    for (int j = 0; j < count_b; j += kLanes<Real>) {
+      const P e[3] = {x - P::load(bx + j), y - P::load(by + j), z - P::load(bz + j)};
       const P d_squared = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
       if (less_bits(d_squared, limit) == 0) continue;
       hit = true;
@@ -236,20 +241,20 @@ bool touch(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
               upper_b = select_less(e[2], zero, touches, zero);
       const P gap_a = gap - gap_b, upper_a = touches - upper_b;
       const P near = select_less(d_squared, limit, d_squared, nobody);
-      for (int axis = 0; axis < 3; ++axis) {
+      PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) {
         push[axis] += e[axis] * gap_a;
         pull[axis] += e[axis] * upper_a;
-        add(sums_b.push[axis] + j, zero - e[axis] * gap_b);
-        add(sums_b.pull[axis] + j, e[axis] * upper_b);
+        add(to_b.push[axis] + j, zero - e[axis] * gap_b);
+        add(to_b.pull[axis] + j, e[axis] * upper_b);
       }
       uppers += upper_a;
-      add(sums_b.uppers + j, upper_b);
+      add(to_b.uppers + j, upper_b);
       nearest = min(near, nearest);
-      min(near, P::load(sums_b.nearest + j)).store(sums_b.nearest + j);
+      min(near, P::load(to_b.nearest + j)).store(to_b.nearest + j);
     }
     if (!hit) continue;
     any = true;
-    for (int axis = 0; axis < 3; ++axis) {
+    PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) {
       sums_a.push[axis][i] = push[axis].sum();
       sums_a.pull[axis][i] = -pull[axis].sum();
     }

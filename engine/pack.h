@@ -128,13 +128,13 @@ struct Pack {
 
   /// Sum, least and greatest of the lanes; halves are folded onto each other, one defined order.
   Real sum() const {
-    return fold([](Real a, Real b) { return a + b; });
+    return fold([](auto a, auto b) { return a + b; });
   }
   Real least() const {
-    return fold([](Real a, Real b) { return a < b ? a : b; });
+    return fold([](auto a, auto b) { return a < b ? a : b; });
   }
   Real greatest() const {
-    return fold([](Real a, Real b) { return a > b ? a : b; });
+    return fold([](auto a, auto b) { return a > b ? a : b; });
   }
 
   friend Pack sqrt(Pack a) {
@@ -143,14 +143,47 @@ struct Pack {
   }
 
  private:
+  /// Lane i of the upper half goes onto lane i of the lower half until one lane is left.
   template <class Operation>
   Real fold(Operation operation) const {
-    Real lane[kLanes<Real>];
-    store(lane);
-    for (int width = kLanes<Real> / 2; width > 0; width /= 2) {
-      for (int i = 0; i < width; ++i) lane[i] = operation(lane[i], lane[i + width]);
+    Pack p = *this;
+    PUPFLOW_UNROLL for (int half = kParts / 2; half > 0; half /= 2) {
+      PUPFLOW_UNROLL for (int i = 0; i < half; ++i) {
+        p.part[i] = operation(p.part[i], p.part[i + half]);
+      }
     }
-    return lane[0];
+    return fold_halves(p.part[0], operation);
+  }
+
+  template <class Vector, class Operation>
+  static Real fold_halves(Vector v, Operation operation) {
+    constexpr int kCount = sizeof(Vector) / sizeof(Real);
+    if constexpr (kCount == 2) {
+      return operation(v[0], v[1]);
+    } else {
+      typedef Real Half __attribute__((vector_size(sizeof(Vector) / 2)));
+      return fold_halves<Half>(operation(lower_half<Half>(v), upper_half<Half>(v)), operation);
+    }
+  }
+  template <class Half, class Vector>
+  static Half lower_half(Vector v) {
+    if constexpr (sizeof(Half) / sizeof(Real) == 8) {
+      return __builtin_shufflevector(v, v, 0, 1, 2, 3, 4, 5, 6, 7);
+    } else if constexpr (sizeof(Half) / sizeof(Real) == 4) {
+      return __builtin_shufflevector(v, v, 0, 1, 2, 3);
+    } else {
+      return __builtin_shufflevector(v, v, 0, 1);
+    }
+  }
+  template <class Half, class Vector>
+  static Half upper_half(Vector v) {
+    if constexpr (sizeof(Half) / sizeof(Real) == 8) {
+      return __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15);
+    } else if constexpr (sizeof(Half) / sizeof(Real) == 4) {
+      return __builtin_shufflevector(v, v, 4, 5, 6, 7);
+    } else {
+      return __builtin_shufflevector(v, v, 2, 3);
+    }
   }
 
   static Native native_sqrt(Native a) {

@@ -26,6 +26,7 @@ Verb add_merge(CLI::App& program);
 Verb add_compare(CLI::App& program);
 Verb add_params(CLI::App& program);
 Verb add_explain(CLI::App& program);
+Verb add_report(CLI::App& program);
 Verb add_doctor(CLI::App& program);
 
 /// The options that every verb takes.

@@ -9,6 +9,10 @@
 
 namespace pupflow::io {
 
+std::string version() {
+  return PUPFLOW_VERSION;
+}
+
 TextEntries provenance(const Params& params, const TextEntries& extra) {
   // "Software" is the keyword that the PNG standard has for it.
   TextEntries entries{{"Software", "pupflow " PUPFLOW_VERSION}};

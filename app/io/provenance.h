@@ -8,6 +8,9 @@
 
 namespace pupflow::io {
 
+/// The program's version.
+std::string version();
+
 /// Program version, then every parameter (the seed among them) by name; values read back to the
 /// same parameters. `extra` entries (e.g. the step of a picture) follow.
 TextEntries provenance(const Params& params, const TextEntries& extra = {});

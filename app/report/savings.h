@@ -1,0 +1,65 @@
+// What leaving out saves: a scene run as planned, beside runs of it in which what the plan leaves
+// out is forced in. It shows that the results are the same, and what the work would have cost.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/io/table.h"
+#include "engine/params.h"
+
+namespace pupflow::report {
+
+/// How much of a litter was the same to the bit with and without a part.
+enum class Agreement {
+  needed,            // nothing was forced, so nothing was compared
+  whole_state,       // positions, velocities, temperatures, headings
+  all_but_headings,  // a forced steering turns pups that nothing drives; the rest was the same
+  none               // a defect of the program
+};
+
+/// A part of what is done for each step: a stage, a part of one, or looking at the observables.
+struct Part {
+  std::string name;
+  bool needed = true;
+  std::string reason;  // why it is left out; empty where it is needed
+  double planned = 0;  // microseconds a step as planned; exactly 0 where it is left out
+  double forced = 0;   // with the part forced in; 0 where it is needed anyway
+  Agreement agreement = Agreement::needed;
+};
+
+/// How long to measure.
+struct MeasuredSteps {
+  std::int64_t after = 300;  // steps before measuring, since contacts cost what touches
+  int count = 200;           // steps to measure; fewer where that would take more than 5 seconds
+  bool quiet = false;        // no progress
+};
+
+/// What came of it. Times are medians in microseconds.
+struct Savings {
+  std::int64_t first = 0, last = 0;  // the steps that were measured
+  std::vector<Part> parts;           // in the order of a step; a part of a stage after its stage
+  double planned_step = 0, full_step = 0;  // a whole step as planned, and with everything forced in
+  double saved = 0;             // median difference of the two, over steps taken in turn
+  Agreement agreement{};        // with everything forced in
+  double clock = 0;             // what reading the clock adds to each figure
+  std::uint64_t hash = 0;       // of the whole state after `last`, as planned
+  std::uint64_t rest_hash = 0;  // of positions, velocities and temperatures alone
+};
+
+/// Runs the scene as planned for a run that nobody watches, and beside it, from the first step on
+/// and in turn with it, with each left-out part forced in. One thread. Throws io::Failure:
+/// bad_numbers when a run goes wrong, interrupted after Ctrl-C.
+Savings measure_savings(const Params& params, const MeasuredSteps& steps);
+
+/// Whether anything differs that must not.
+bool is_defect(const Savings& savings);
+
+/// A table with a head, a row for each part, and one for the whole step.
+std::vector<io::Row> savings_rows(const Savings& savings);
+
+/// What the figures of the table are, why parts were left out, and which bits were compared: lines.
+std::vector<std::string> savings_notes(const Savings& savings);
+
+}  // namespace pupflow::report

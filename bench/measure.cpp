@@ -1,5 +1,7 @@
 #include "bench/measure.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -14,6 +16,13 @@ constexpr int kWarmUpSteps = 20;
 
 double microseconds_between(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double, std::micro>(end - begin).count();
+}
+
+/// Microseconds of processor time that this thread has used.
+double thread_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
 void require(const Status& status) {
@@ -47,10 +56,10 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double microseconds(const std::function<void()>& work) {
-  const Clock::time_point begin = Clock::now();
+double busy_microseconds(const std::function<void()>& work) {
+  const double begin = thread_time();
   work();
-  return microseconds_between(begin, Clock::now());
+  return thread_time() - begin;
 }
 
 std::vector<std::vector<double>> in_turns(const std::vector<Contender>& contenders, int rounds) {

@@ -35,7 +35,7 @@ double baseline_time(const std::vector<Snapshot>& states, MakeBaseline make) {
   for (const Snapshot& state : states) {
     auto baseline = make(state);
     baseline.step();
-    times.push_back(microseconds([&] { baseline.step(); }));
+    times.push_back(busy_microseconds([&] { baseline.step(); }));
   }
   return median(times);
 }

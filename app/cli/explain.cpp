@@ -2,13 +2,14 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/cli/stage_timer.h"
 #include "app/cli/summary.h"
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
 #include "app/io/table.h"
+#include "app/report/savings.h"
+#include "app/report/stage_timer.h"
 #include "engine/metrics.h"
 #include "engine/plan.h"
 
@@ -23,18 +24,15 @@ constexpr std::chrono::seconds kPatience{5};  // for measuring, whatever the siz
 struct Options {
   Common common;
   std::int64_t after = 300;
+  bool measure = false;
 };
 
 /// What was measured; microseconds.
 struct Costs {
   std::int64_t first = 0, last = 0;  // the steps that it was measured over
-  StageTimer stages;
+  report::StageTimer stages;
   double step = 0, observing = 0;  // medians
 };
-
-double microseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-}
 
 void take_step(Simulation& simulation, StageListener* listener) {
   if (io::interrupted()) throw io::Failure(io::ExitCode::interrupted, "interrupted");
@@ -59,20 +57,20 @@ Costs measure(const Options& options, const Params& params) {
   while (steps.size() < kMeasuredSteps && (steps.empty() || Clock::now() - begin < kPatience)) {
     const Clock::time_point before_step = Clock::now();
     take_step(simulation, &costs.stages);
-    steps.push_back(microseconds_since(before_step));
+    steps.push_back(report::microseconds_since(before_step));
     const Clock::time_point before_look = Clock::now();
     observer.observe(simulation);
-    observing.push_back(microseconds_since(before_look));
+    observing.push_back(report::microseconds_since(before_look));
   }
   costs.last = simulation.steps_done();
-  costs.step = median(steps);
-  costs.observing = median(observing);
+  costs.step = report::median(steps);
+  costs.observing = report::median(observing);
   return costs;
 }
 
 std::string microseconds(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
+  std::snprintf(text, sizeof text, "%9.2f", value);
   return text;
 }
 
@@ -89,25 +87,64 @@ std::string costs_words(const Costs& costs, const Params& params) {
   return text;
 }
 
-std::string explanation(const io::Setup& setup, const Costs& costs) {
-  std::vector<io::Row> rows{{"stage", "in the step", "µs a step", "why"}};
-  for (const PlannedStage& planned : explain_plan(setup.params, true)) {
-    const double cost = costs.stages.median(planned.stage);
-    rows.push_back({std::string(stage_name(planned.stage)), planned.needed ? "yes" : "no",
-                    planned.needed ? microseconds(cost) : "-", planned.reason});
+/// A row of the table, its reason on as many lines as it takes.
+void add_row(std::vector<io::Row>& rows, io::Row row, const std::string& reason) {
+  constexpr std::size_t kReasonWidth = 44;  // with the columns before it 100 characters
+  for (const std::string& line : io::wrapped(reason, kReasonWidth)) {
+    row.push_back(line);
+    rows.push_back(row);
+    row = {"", "", "", ""};
   }
-  rows.push_back({"whole step", "", microseconds(costs.step), ""});
-  rows.push_back({"observables", "on demand", microseconds(costs.observing),
-                  "only after steps whose row or mean somebody asked for"});
+}
+
+std::string scene_words(const io::Setup& setup) {
   std::string text = setup.title.empty() ? "" : setup.title + "\n";
   if (!setup.description.empty()) text += setup.description + "\n";
-  text += litter_words(setup.params) + "\n\n" + io::aligned(rows) + "\n";
-  return text + costs_words(costs, setup.params);
+  return text + litter_words(setup.params) + "\n\n";
+}
+
+std::string explanation(const io::Setup& setup, const Costs& costs) {
+  std::vector<io::Row> rows{{"stage", "in the step", "µs a step", "of the step", "why"}};
+  for (const PlannedStage& planned : explain_plan(setup.params, true)) {
+    const double cost = costs.stages.median(planned.stage);
+    add_row(rows,
+            {std::string(stage_name(planned.stage)), planned.needed ? "yes" : "no",
+             planned.needed ? microseconds(cost) : std::string(8, ' ') + "-",
+             io::bar(cost, costs.step)},
+            planned.reason);
+  }
+  rows.push_back({"whole step", "", microseconds(costs.step)});
+  add_row(rows,
+          {"observables", "on demand", microseconds(costs.observing),
+           io::bar(costs.observing, costs.step)},
+          "only after steps whose row or mean somebody asked for");
+  return scene_words(setup) + io::aligned(rows) + "\n" + costs_words(costs, setup.params);
+}
+
+/// With what is left out forced in.
+void compare(const Options& options, const io::Setup& setup) {
+  report::MeasuredSteps steps;
+  steps.after = options.after;
+  steps.count = kMeasuredSteps;
+  steps.quiet = options.common.quiet;
+  const report::Savings savings = report::measure_savings(setup.params, steps);
+  std::string text = scene_words(setup) + io::aligned(report::savings_rows(savings));
+  for (const std::string& note : report::savings_notes(savings)) {
+    constexpr std::size_t kPageWidth = 100;
+    text += "\n";
+    for (const std::string& line : io::wrapped(note, kPageWidth)) text += line + "\n";
+  }
+  deliver(options.common, text);
+  report::require_same_bits(savings);
 }
 
 void work(const Options& options) {
   const io::Setup setup = io::set_up(options.common.settings);
-  deliver(options.common, explanation(setup, measure(options, setup.params)));
+  if (options.measure) {
+    compare(options, setup);
+  } else {
+    deliver(options.common, explanation(setup, measure(options, setup.params)));
+  }
 }
 
 }  // namespace
@@ -126,6 +163,9 @@ Verb add_explain(CLI::App& program) {
                   "touches (default 300)")
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 53));
+  app->add_flag("--measure", options->measure,
+                "Run the scene as planned and with each part that it leaves out forced in, show "
+                "that no bit of the results differs, and what leaving out saves");
   return {app, [options] { work(*options); }};
 }
 

@@ -32,6 +32,11 @@ CsvFile& CsvFile::cell(std::int64_t value) {
   return *this;
 }
 
+CsvFile& CsvFile::cell(std::string_view words) {
+  add(words);
+  return *this;
+}
+
 void CsvFile::end_row() {
   row_ += '\n';
   file_.write(row_);

@@ -24,6 +24,7 @@ class CsvFile {
   /// One cell of the current row.
   CsvFile& cell(double value);
   CsvFile& cell(std::int64_t value);
+  CsvFile& cell(std::string_view words);  // without commas, quotes and line ends
   void end_row();
 
   /// A comment line, "# text".

@@ -1,6 +1,8 @@
 #include "app/io/table.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace pupflow::io {
 namespace {
@@ -42,6 +44,26 @@ std::string markdown_table(const std::vector<Row>& rows) {
     text += "|\n";
   }
   return text;
+}
+
+std::string bar(double part, double whole) {
+  constexpr double kLength = 16;
+  if (!(part > 0) || !(whole > 0)) return "";
+  const auto cells = static_cast<std::size_t>(std::lround(kLength * std::min(part / whole, 1.0)));
+  return cells == 0 ? "." : std::string(cells, '#');
+}
+
+std::vector<std::string> wrapped(const std::string& text, std::size_t width_of_lines) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (lines.empty() || width(lines.back()) + 1 + width(word) > width_of_lines) {
+      lines.push_back(word);
+    } else {
+      lines.back() += " " + word;
+    }
+  }
+  return lines;
 }
 
 }  // namespace pupflow::io

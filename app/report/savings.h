@@ -19,9 +19,13 @@ enum class Agreement {
   none               // a defect of the program
 };
 
+/// As tables have it: "whole state", "all but headings", "NO", or "-" where nothing was compared.
+const char* agreement_words(Agreement agreement);
+
 /// A part of what is done for each step: a stage, a part of one, or looking at the observables.
 struct Part {
-  std::string name;
+  std::string name;       // as stage_name says
+  bool of_stage = false;  // a part of the stage before it
   bool needed = true;
   std::string reason;  // why it is left out; empty where it is needed
   double planned = 0;  // microseconds a step as planned; exactly 0 where it is left out
@@ -41,11 +45,11 @@ struct Savings {
   std::int64_t first = 0, last = 0;  // the steps that were measured
   std::vector<Part> parts;           // in the order of a step; a part of a stage after its stage
   double planned_step = 0, full_step = 0;  // a whole step as planned, and with everything forced in
-  double saved = 0;             // median difference of the two, over steps taken in turn
-  Agreement agreement{};        // with everything forced in
-  double clock = 0;             // what reading the clock adds to each figure
-  std::uint64_t hash = 0;       // of the whole state after `last`, as planned
-  std::uint64_t rest_hash = 0;  // of positions, velocities and temperatures alone
+  double saved = 0;                        // median difference of the two, over steps taken in turn
+  Agreement agreement{};                   // with everything forced in
+  double clock = 0;                        // what reading the clock adds to each figure
+  std::uint64_t hash = 0;                  // of the whole state after `last`, as planned
+  std::uint64_t rest_hash = 0;             // of positions, velocities and temperatures alone
 };
 
 /// Runs the scene as planned for a run that nobody watches, and beside it, from the first step on
@@ -53,8 +57,8 @@ struct Savings {
 /// bad_numbers when a run goes wrong, interrupted after Ctrl-C.
 Savings measure_savings(const Params& params, const MeasuredSteps& steps);
 
-/// Whether anything differs that must not.
-bool is_defect(const Savings& savings);
+/// Throws io::Failure(bad_numbers) where bits differ that must not.
+void require_same_bits(const Savings& savings);
 
 /// A table with a head, a row for each part, and one for the whole step.
 std::vector<io::Row> savings_rows(const Savings& savings);

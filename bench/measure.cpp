@@ -56,6 +56,12 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+double microseconds(const std::function<void()>& work) {
+  const Clock::time_point begin = Clock::now();
+  work();
+  return microseconds_between(begin, Clock::now());
+}
+
 double busy_microseconds(const std::function<void()>& work) {
   const double begin = thread_time();
   work();

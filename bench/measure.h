@@ -15,6 +15,9 @@ namespace pupflow::bench {
 /// The median of `values`, at least one.
 double median(std::vector<double> values);
 
+/// How long `work` takes, in microseconds.
+double microseconds(const std::function<void()>& work);
+
 /// How long the processor is busy with `work` on this thread, in microseconds. Unlike the time on
 /// the wall it does not grow when others take their turns on the same processor, which matters for
 /// work of many milliseconds.

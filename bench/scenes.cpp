@@ -1,5 +1,6 @@
 #include "bench/scenes.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace pupflow::bench {
@@ -14,6 +15,14 @@ Params huddling(Precision precision) {
 Params dispersed(Precision precision) {
   Params params = huddling(precision);
   params.ta = 0.8;
+  return params;
+}
+
+Params crowd(int pups, Precision precision) {
+  Params params = huddling(precision);
+  params.pups = pups;
+  params.start = Start::carpet;
+  params.arena_radius *= std::sqrt(pups / 12.0);
   return params;
 }
 

@@ -12,6 +12,9 @@ constexpr std::int64_t kSettled = 500;
 Params huddling(Precision precision);
 Params dispersed(Precision precision);
 
+/// Many pups at the paper's density, on a carpet: the arena's floor grows with their number.
+Params crowd(int pups, Precision precision);
+
 /// `params` after `steps` steps. Throws std::runtime_error on a bad status.
 Simulation after(const Params& params, std::int64_t steps);
 

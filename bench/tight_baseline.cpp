@@ -1,0 +1,2 @@
+#define PUPFLOW_TIGHT(Real) tight_baseline_##Real
+#include "bench/tight.inl"

@@ -28,35 +28,33 @@ void push_from_wall(Real h, std::size_t i, State<Real>& s) {
 }  // namespace
 
 template <class Real>
-void apply_boundaries(const Params& params, State<Real>& state) {
+void apply_boundaries(const Params& params, State<Real>& state, int pup) {
   const auto r = static_cast<Real>(params.point_radius);
   const auto h = static_cast<Real>(params.dt);
   const auto arena = static_cast<Real>(params.arena_radius);
-  for (int pup = 0; pup < state.pups; ++pup) {
-    Bounds<Real>& box = state.bounds[pup];
-    const std::size_t row = state.row(pup);
-    if (box.low[2] < r) {
-      state.kernels->floor(r, state.stride, state.z.data() + row, state.vz.data() + row);
-      if (box.centre[2] > r) {
-        box.low[2] = r;  // points came nearer to the centre, so the ball still holds them
-      } else {
-        update_bounds(state, pup);
-      }
+  Bounds<Real>& box = state.bounds[pup];
+  const std::size_t row = state.row(pup);
+  if (box.low[2] < r) {
+    state.kernels->floor(r, state.stride, state.z.data() + row, state.vz.data() + row);
+    if (box.centre[2] > r) {
+      box.low[2] = r;  // points came nearer to the centre, so the ball still holds them
+    } else {
+      update_bounds(state, pup);
     }
-    const Real far_x = std::max(std::abs(box.low[0]), std::abs(box.high[0]));
-    const Real far_y = std::max(std::abs(box.low[1]), std::abs(box.high[1]));
-    if (!reaches_wall(far_x, far_y, r, arena * arena)) continue;
-    bool moved = false;
-    for (std::size_t i = row; i < row + state.stride; ++i) {
-      if (!reaches_wall(state.x[i], state.y[i], r, arena * arena)) continue;
-      push_from_wall(h, i, state);
-      moved = true;
-    }
-    if (moved) update_bounds(state, pup);
   }
+  const Real far_x = std::max(std::abs(box.low[0]), std::abs(box.high[0]));
+  const Real far_y = std::max(std::abs(box.low[1]), std::abs(box.high[1]));
+  if (!reaches_wall(far_x, far_y, r, arena * arena)) return;
+  bool moved = false;
+  for (std::size_t i = row; i < row + state.stride; ++i) {
+    if (!reaches_wall(state.x[i], state.y[i], r, arena * arena)) continue;
+    push_from_wall(h, i, state);
+    moved = true;
+  }
+  if (moved) update_bounds(state, pup);
 }
 
-template void apply_boundaries<float>(const Params&, State<float>&);
-template void apply_boundaries<double>(const Params&, State<double>&);
+template void apply_boundaries<float>(const Params&, State<float>&, int);
+template void apply_boundaries<double>(const Params&, State<double>&, int);
 
 }  // namespace pupflow

@@ -10,8 +10,8 @@
 
 namespace pupflow {
 
-/// Applies floor and wall to every pup whose bounds reach them, and keeps the bounds true.
+/// Applies floor and wall to one pup where its bounds reach them, and keeps the bounds true.
 template <class Real>
-void apply_boundaries(const Params& params, State<Real>& state);
+void apply_boundaries(const Params& params, State<Real>& state, int pup);
 
 }  // namespace pupflow

@@ -6,40 +6,91 @@
 namespace pupflow {
 namespace {
 
+constexpr std::size_t kUsualPairs = 32;  // per pup; more only costs an allocation
+
 template <class Real>
 bool near_along(const Bounds<Real>& a, const Bounds<Real>& b, int axis, Real margin) {
   return a.low[axis] <= b.high[axis] + margin && b.low[axis] <= a.high[axis] + margin;
 }
 
+/// The axis along which the boxes lie furthest apart; `now` unless another is clearly better.
+template <class Real>
+int longest_axis(const std::vector<Bounds<Real>>& boxes, int now) {
+  double spread[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    double sum = 0, squares = 0;
+    for (const Bounds<Real>& box : boxes) {
+      const double place =
+          static_cast<double>(box.low[axis]) - static_cast<double>(boxes[0].low[axis]);
+      sum += place;
+      squares += place * place;
+    }
+    spread[axis] = squares - sum * sum / static_cast<double>(boxes.size());
+  }
+  const int best = static_cast<int>(std::max_element(spread, spread + 3) - spread);
+  return spread[best] > 4 * spread[now] ? best : now;
+}
+
 }  // namespace
 
 template <class Real>
-const std::vector<TouchingPair>& BroadPhase<Real>::find(const std::vector<Bounds<Real>>& boxes,
-                                                        Real margin) {
-  if (order_.size() != boxes.size()) {
+void BroadPhase<Real>::sort_along_axis(const std::vector<Bounds<Real>>& boxes) {
+  const auto before = [&](int a, int b) { return boxes[a].low[axis_] < boxes[b].low[axis_]; };
+  const int axis = boxes.empty() ? axis_ : longest_axis(boxes, axis_);
+  if (order_.size() != boxes.size() || axis != axis_) {
+    axis_ = axis;
     order_.resize(boxes.size());
     std::iota(order_.begin(), order_.end(), 0);
+    std::sort(order_.begin(), order_.end(), before);
+    return;
   }
   // Insertion sort: the order is nearly right since the last step.
   for (std::size_t i = 1; i < order_.size(); ++i) {
     const int pup = order_[i];
     std::size_t j = i;
-    for (; j > 0 && boxes[pup].low[0] < boxes[order_[j - 1]].low[0]; --j) order_[j] = order_[j - 1];
+    for (; j > 0 && before(pup, order_[j - 1]); --j) order_[j] = order_[j - 1];
     order_[j] = pup;
   }
-  pairs_.clear();
+}
+
+template <class Real>
+void BroadPhase<Real>::sort_pairs(int pups) {
+  // Into buckets by the first pup, then each bucket, which holds a few neighbours, by the second.
+  bucket_.assign(pups + 1, 0);
+  for (const TouchingPair& pair : found_) ++bucket_[pair.first + 1];
+  std::partial_sum(bucket_.begin(), bucket_.end(), bucket_.begin());
+  pairs_.resize(found_.size());
+  for (const TouchingPair& pair : found_) pairs_[bucket_[pair.first]++] = pair;
+  const auto by_second = [](const TouchingPair& a, const TouchingPair& b) {
+    return a.second < b.second;
+  };
+  int begin = 0;  // bucket_[pup] is now the end of its bucket
+  for (int pup = 0; pup < pups; begin = bucket_[pup++]) {
+    if (bucket_[pup] - begin > 1) {
+      std::sort(pairs_.begin() + begin, pairs_.begin() + bucket_[pup], by_second);
+    }
+  }
+}
+
+template <class Real>
+const std::vector<TouchingPair>& BroadPhase<Real>::find(const std::vector<Bounds<Real>>& boxes,
+                                                        Real margin) {
+  sort_along_axis(boxes);
+  const int next = (axis_ + 1) % 3, last = (axis_ + 2) % 3;
+  found_.clear();
+  // Pups have a few neighbours: with this room, later steps of the same litter allocate nothing.
+  found_.reserve(std::min(boxes.size() * boxes.size(), kUsualPairs * boxes.size()));
+  pairs_.reserve(found_.capacity());
   for (std::size_t i = 0; i < order_.size(); ++i) {
     const Bounds<Real>& a = boxes[order_[i]];
     for (std::size_t j = i + 1; j < order_.size(); ++j) {
       const Bounds<Real>& b = boxes[order_[j]];
-      if (b.low[0] > a.high[0] + margin) break;
-      if (!near_along(a, b, 1, margin) || !near_along(a, b, 2, margin)) continue;
-      pairs_.push_back({std::min(order_[i], order_[j]), std::max(order_[i], order_[j])});
+      if (b.low[axis_] > a.high[axis_] + margin) break;
+      if (!near_along(a, b, next, margin) || !near_along(a, b, last, margin)) continue;
+      found_.push_back({std::min(order_[i], order_[j]), std::max(order_[i], order_[j])});
     }
   }
-  std::sort(pairs_.begin(), pairs_.end(), [](const TouchingPair& a, const TouchingPair& b) {
-    return a.first != b.first ? a.first < b.first : a.second < b.second;
-  });
+  sort_pairs(static_cast<int>(boxes.size()));
   return pairs_;
 }
 

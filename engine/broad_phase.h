@@ -7,8 +7,9 @@
 
 namespace pupflow {
 
-/// Finds pairs of overlapping boxes by sorting them along x and sweeping (Baraff 1992). Keeps its
-/// memory between calls, so that a step allocates nothing.
+/// Finds pairs of overlapping boxes by sorting them along one axis and sweeping (Baraff 1992): the
+/// axis along which the litter is longest, be it a carpet or a column. Keeps its memory between
+/// calls, so that a step allocates nothing.
 template <class Real>
 class BroadPhase {
  public:
@@ -16,9 +17,17 @@ class BroadPhase {
   /// finite.
   const std::vector<TouchingPair>& find(const std::vector<Bounds<Real>>& boxes, Real margin);
 
+  /// The pups in the order of the last sweep: neighbours in space are mostly neighbours here.
+  const std::vector<int>& order() const { return order_; }
+
  private:
+  void sort_along_axis(const std::vector<Bounds<Real>>& boxes);
+  void sort_pairs(int pups);
+
+  int axis_ = 0;
   std::vector<int> order_;
-  std::vector<TouchingPair> pairs_;
+  std::vector<int> bucket_;
+  std::vector<TouchingPair> found_, pairs_;
 };
 
 }  // namespace pupflow

@@ -6,6 +6,7 @@
 
 #include "engine/health.h"
 #include "engine/lanes.h"
+#include "engine/point_set.h"
 
 namespace pupflow {
 namespace {
@@ -36,7 +37,8 @@ bool balls_meet(const Bounds<Real>& a, const Bounds<Real>& b, Real reach) {
 template <class Real>
 void Contacts<Real>::Side::make_room(int stride) {
   const std::size_t room = stride + kLanes<Real>;
-  point.resize(room);
+  point.resize(room + kPackBytes / sizeof(int));
+  touching.resize(words_for(static_cast<int>(room)));
   numbers.resize(11 * room);
   // Set anew each time: in a copied simulation they would still point into the original.
   Real* next = numbers.data();
@@ -44,33 +46,24 @@ void Contacts<Real>::Side::make_room(int stride) {
     next += room;
     return next - room;
   };
-  candidates = {take(), take(), take(), point.data(), 0, {}, {}};
-  sums = {{take(), take(), take()}, {take(), take(), take()}, take(), take()};
+  candidates = {take(), take(), take(), point.data(), 0};
+  sums = {{take(), take(), take()}, {take(), take(), take()}, take(), take(), touching.data()};
 }
 
 template <class Real>
-void Contacts<Real>::merge(const Side& side, std::size_t row, int other) {
-  for (int i = 0; i < side.candidates.count; ++i) {
-    const Real nearest = side.sums.nearest[i];
-    if (nearest == std::numeric_limits<Real>::infinity()) continue;
-    const std::size_t point = row + side.candidates.point[i];
-    Touch& touch = touch_[point];
-    if (touch.owner < 0) list_.push_back(point);
-    if (touch.owner < 0 ||
-        nearest < touch.nearest) {  // pairs come in order, so the first wins a tie
-      touch.owner = other;
-      touch.nearest = nearest;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      touch.push[axis] += side.sums.push[axis][i];
-      touch.pull[axis] += side.sums.pull[axis][i];
-    }
-    touch.uppers += side.sums.uppers[i];
+void Contacts<Real>::make_room(const State<Real>& state, int workers) {
+  workers_.resize(workers);
+  for (Worker& worker : workers_) {
+    worker.first.make_room(state.stride);
+    worker.second.make_room(state.stride);
   }
+  touch_.resize(state.row(state.pups));
+  bits_.resize(static_cast<std::size_t>(state.pups) * words_for(state.points));
 }
 
 template <class Real>
-bool Contacts<Real>::touch_pair(const State<Real>& state, TouchingPair pair, Real reach) {
+bool Contacts<Real>::touch_pair(const State<Real>& state, TouchingPair pair, Real reach,
+                                Worker& worker) const {
   const Bounds<Real>& a = state.bounds[pair.first];
   const Bounds<Real>& b = state.bounds[pair.second];
   if (!balls_meet(a, b, reach)) return false;
@@ -86,70 +79,106 @@ bool Contacts<Real>::touch_pair(const State<Real>& state, TouchingPair pair, Rea
       region.low[axis] = widened(low[axis], -margin);
       region.high[axis] = widened(high[axis], margin);
     }
-    side.make_room(state.stride);
     state.kernels->gather(xyz, state.points, region, side.candidates);
     return side.candidates.count > 0;
   };
-  if (!gather(pair.first, b, b.low, b.high, first_)) return false;
-  if (!gather(pair.second, a, first_.candidates.low, first_.candidates.high, second_)) return false;
-  if (!state.kernels->touch(first_.candidates, second_.candidates, reach, first_.sums,
-                            second_.sums)) {
-    return false;
-  }
-  merge(first_, state.row(pair.first), pair.second);
-  merge(second_, state.row(pair.second), pair.first);
-  return true;
+  if (!gather(pair.first, b, b.low, b.high, worker.first)) return false;
+  Real low[3], high[3];
+  state.kernels->box(worker.first.candidates, low, high);
+  if (!gather(pair.second, a, low, high, worker.second)) return false;
+  return state.kernels->touch(worker.first.candidates, worker.second.candidates, reach,
+                              worker.first.sums, worker.second.sums);
 }
 
 template <class Real>
-Status Contacts<Real>::apply(const Params& params, State<Real>& state) {
-  const auto suspect = static_cast<Real>(kSuspectRadii * params.pup_radius);
-  Status status;
-  for (const std::size_t i : list_) {
-    const Touch& touch = touch_[i];
-    if (touch.uppers == 0) continue;
-    const Real share = 1 / touch.uppers;
-    state.x[i] += touch.push[0];
-    state.y[i] += touch.push[1];
-    state.z[i] += touch.push[2];
-    state.vx[i] = touch.pull[0] * share;
-    state.vy[i] = touch.pull[1] * share;
-    state.vz[i] = touch.pull[2] * share;
-    const Real moved = std::abs(touch.push[0]) + std::abs(touch.push[1]) + std::abs(touch.push[2]);
-    if (!(moved < suspect) && status.ok()) {
-      const int pup = static_cast<int>(i / state.stride);
-      status = inspect_pup(state, pup, params.pup_radius, Stage::contact);
+void Contacts<Real>::merge(const Side& side, int pup, int other, bool afferents,
+                           State<Real>& state) {
+  std::uint64_t* bits = bits_.data() + static_cast<std::size_t>(pup) * words_for(state.points);
+  Touch* touches = touch_.data() + state.row(pup);
+  int* touched = afferents ? state.touched.data() + state.flat(pup) : nullptr;
+  const ContactSums<Real>& sums = side.sums;
+  for_each_point(sums.touching, words_for(side.candidates.count), [&](int i) {
+    const int point = side.candidates.point[i];
+    bits[point / 64] |= std::uint64_t{1} << (point % 64);
+    Touch& touch = touches[point];
+    const bool nearer = sums.nearest[i] < touch.nearest;  // pairs come in order: the first wins
+    touch.nearest = nearer ? sums.nearest[i] : touch.nearest;
+    if (touched != nullptr) touched[point] = nearer ? other : touched[point];
+    for (int axis = 0; axis < 3; ++axis) {
+      touch.push[axis] += sums.push[axis][i];
+      touch.pull[axis] += sums.pull[axis][i];
     }
-  }
-  return status;
+    touch.uppers += sums.uppers[i];
+  });
 }
 
 template <class Real>
-void Contacts<Real>::report(State<Real>& state) const {
-  std::fill(state.touched.begin(), state.touched.end(), -1);
-  std::fill(state.exposed.begin(), state.exposed.end(),
-            0.0);  // counts the touching points at first
-  for (const std::size_t i : list_) {
-    const auto pup = static_cast<int>(i / state.stride);
-    state.touched[state.flat(pup) + i % state.stride] = touch_[i].owner;
-    state.exposed[pup] += 1;
-  }
-  for (double& exposed : state.exposed) exposed = (state.points - exposed) / state.points;
-}
-
-template <class Real>
-Status Contacts<Real>::resolve(const Params& params, bool afferents, State<Real>& state) {
+void Contacts<Real>::find(const Params& params, bool afferents, State<Real>& state, Team& team) {
   const auto reach = static_cast<Real>(2 * params.point_radius);
-  touch_.resize(state.row(state.pups), Touch{{}, {}, 0, 0, -1});
-  list_.clear();
-  state.touching.clear();
-  for (const TouchingPair pair : broad_phase_.find(state.bounds, reach)) {
-    if (touch_pair(state, pair, reach)) state.touching.push_back(pair);
+  const std::vector<TouchingPair>& pairs = broad_phase_.find(state.bounds, reach);
+  const int workers = useful_workers(team, state.pups);
+  make_room(state, workers);
+  touches_.reserve(pairs.capacity());
+  touches_.assign(pairs.size(), 0);
+  state.touching.reserve(pairs.capacity());
+  // Neighbours mostly belong to the same worker; a pair between two workers is searched by both,
+  // each for its own pup.
+  owner_.resize(state.pups);
+  for (int worker = 0; worker < workers; ++worker) {
+    const PupRange share = share_of(state.pups, worker, workers);
+    for (int i = share.begin; i < share.end; ++i) owner_[broad_phase_.order()[i]] = worker;
   }
-  const Status status = apply(params, state);
-  if (afferents) report(state);
-  for (const std::size_t i : list_) touch_[i] = Touch{{}, {}, 0, 0, -1};
-  return status;
+  if (afferents) std::fill(state.touched.begin(), state.touched.end(), -1);
+  team.run(workers, [&](int worker) {
+    Worker& mine = workers_[worker];
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const TouchingPair pair = pairs[i];
+      const bool first = owner_[pair.first] == worker, second = owner_[pair.second] == worker;
+      if ((!first && !second) || !touch_pair(state, pair, reach, mine)) continue;
+      if (first) {
+        touches_[i] = 1;
+        merge(mine.first, pair.first, pair.second, afferents, state);
+      }
+      if (second) merge(mine.second, pair.second, pair.first, afferents, state);
+    }
+  });
+  state.touching.clear();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (touches_[i] != 0) state.touching.push_back(pairs[i]);
+  }
+}
+
+template <class Real>
+Status Contacts<Real>::apply(const Params& params, double share_of_push, bool afferents,
+                             State<Real>& state, int pup) {
+  const auto push_share = static_cast<Real>(share_of_push);
+  const auto suspect = static_cast<Real>(kSuspectRadii * params.pup_radius);
+  const int words = words_for(state.points);
+  std::uint64_t* bits = bits_.data() + static_cast<std::size_t>(pup) * words;
+  bool sound = true;
+  int touching = 0;
+  for_each_point(bits, words, [&](int point) {
+    const std::size_t i = state.row(pup) + point;
+    Touch& touch = touch_[i];
+    ++touching;
+    if (touch.uppers > 0) {
+      const Real share = 1 / touch.uppers;
+      for (Real& push : touch.push) push *= push_share;
+      state.x[i] += touch.push[0];
+      state.y[i] += touch.push[1];
+      state.z[i] += touch.push[2];
+      state.vx[i] = touch.pull[0] * share;
+      state.vy[i] = touch.pull[1] * share;
+      state.vz[i] = touch.pull[2] * share;
+      const Real moved =
+          std::abs(touch.push[0]) + std::abs(touch.push[1]) + std::abs(touch.push[2]);
+      sound = sound && moved < suspect;
+    }
+    touch = Touch{};
+  });
+  std::fill(bits, bits + words, 0);
+  if (afferents) state.exposed[pup] = static_cast<double>(state.points - touching) / state.points;
+  return sound ? Status{} : inspect_pup(state, pup, params.pup_radius, Stage::contact);
 }
 
 template class Contacts<float>;

@@ -8,50 +8,65 @@
 // Methods.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "engine/broad_phase.h"
 #include "engine/params.h"
 #include "engine/state.h"
 #include "engine/status.h"
+#include "engine/team.h"
 
 namespace pupflow {
 
-/// The contact stage and its working memory.
+/// The contact stage and its working memory: first `find` for the litter, then `apply` for each
+/// pup.
 template <class Real>
 class Contacts {
  public:
-  /// Finds and resolves all contacts of `state`, whose bounds must be true. Fills `touching`, and,
-  /// with `afferents`, `touched` and `exposed`. Bounds of pups that were moved are no longer true.
-  Status resolve(const Params& params, bool afferents, State<Real>& state);
+  /// Finds all contacts of `state`, whose bounds must be true. Fills `touching`, and, with
+  /// `afferents`, `touched`. The workers of `team` share the pups; every sum is made by one of
+  /// them, in the order of pairs, so that results do not depend on how many there are.
+  void find(const Params& params, bool afferents, State<Real>& state, Team& team);
+
+  /// Moves the points of `pup`, by `share_of_push` of what contacts displace them (1 but with a
+  /// refined step, refinement.h), and, with `afferents`, fills its `exposed`. Its bounds are no
+  /// longer true. Different pups may be done at the same time.
+  Status apply(const Params& params, double share_of_push, bool afferents, State<Real>& state,
+               int pup);
 
  private:
   /// The points of one pup that may touch another, and what their contacts come to.
   struct Side {
     AlignedVector<Real> numbers;  // of all arrays below
     std::vector<int> point;
+    std::vector<std::uint64_t> touching;
     Candidates<Real> candidates;
     ContactSums<Real> sums;
     void make_room(int stride);
   };
+  struct Worker {
+    Side first, second;
+  };
   /// What a point's contacts add up to.
   struct Touch {
-    Real push[3];  // sum of (p_a - p_b)(2 r - d) where this point is the upper one
-    Real pull[3];  // sum of (p_b - p_a) there
-    Real uppers;   // contacts in which this point is the upper one
-    Real nearest;  // squared distance to the nearest touching point
-    int owner;     // pup of that point, -1 before the first contact
+    Real push[3] = {0, 0, 0};  // sum of (p_a - p_b)(2 r - d) where this point is the upper one
+    Real uppers = 0;           // contacts in which this point is the upper one
+    Real pull[3] = {0, 0, 0};  // sum of (p_b - p_a) there
+    Real nearest = std::numeric_limits<Real>::infinity();  // squared, to the nearest touching point
   };
 
-  bool touch_pair(const State<Real>& state, TouchingPair pair, Real reach);
-  void merge(const Side& side, std::size_t row, int other);
-  Status apply(const Params& params, State<Real>& state);
-  void report(State<Real>& state) const;
+  void make_room(const State<Real>& state, int workers);
+  bool touch_pair(const State<Real>& state, TouchingPair pair, Real reach, Worker& worker) const;
+  void merge(const Side& side, int pup, int other, bool afferents, State<Real>& state);
 
   BroadPhase<Real> broad_phase_;
-  Side first_, second_;
-  std::vector<Touch> touch_;       // one per point, padding included
-  std::vector<std::size_t> list_;  // points with a contact, in the order of their first
+  std::vector<Worker> workers_;
+  std::vector<int> owner_;           // the worker of each pup
+  std::vector<char> touches_;        // for each near pair: whether it touches
+  std::vector<Touch> touch_;         // one per point, padding included
+  std::vector<std::uint64_t> bits_;  // the points with a contact; words_for(points) per pup
 };
 
 }  // namespace pupflow

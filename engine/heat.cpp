@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/elementary.h"
+#include "engine/point_set.h"
 
 namespace pupflow {
 namespace {
@@ -11,13 +12,14 @@ namespace {
 template <class Real>
 double mean_touched_temperature(const State<Real>& state, int pup) {
   const int* touched = state.touched.data() + state.flat(pup);
+  std::uint64_t touching[kMaxPointWords];
+  state.kernels->touching(touched, state.points, touching);
   double sum = 0;
   int count = 0;
-  for (int i = 0; i < state.points; ++i) {
-    if (touched[i] < 0) continue;
+  for_each_point(touching, words_for(state.points), [&](int i) {
     sum += state.tb[touched[i]];
     ++count;
-  }
+  });
   return count > 0 ? sum / count : 0;
 }
 
@@ -38,22 +40,15 @@ double heat_step(const Params& params, double tb, double exposed, double contact
 }
 
 template <class Real>
-Status Heat<Real>::apply(const Params& params, State<Real>& state) {
-  next_.resize(state.pups);
-  Status status;
-  for (int pup = 0; pup < state.pups; ++pup) {
-    const double exposed = state.exposed[pup];
-    const double contact_mean = exposed < 1 ? mean_touched_temperature(state, pup) : 0;
-    next_[pup] = heat_step(params, state.tb[pup], exposed, contact_mean);
-    if (!std::isfinite(next_[pup]) && status.ok()) {
-      status = {Status::Kind::non_finite, Stage::heat, state.step + 1, pup, -1};
-    }
-  }
-  state.tb.swap(next_);
-  return status;
+Status heat(const Params& params, const State<Real>& state, int pup, double& next) {
+  const double exposed = state.exposed[pup];
+  const double contact_mean = exposed < 1 ? mean_touched_temperature(state, pup) : 0;
+  next = heat_step(params, state.tb[pup], exposed, contact_mean);
+  if (std::isfinite(next)) return {};
+  return {Status::Kind::non_finite, Stage::heat, state.step + 1, pup, -1};
 }
 
-template class Heat<float>;
-template class Heat<double>;
+template Status heat<float>(const Params&, const State<float>&, int, double&);
+template Status heat<double>(const Params&, const State<double>&, int, double&);
 
 }  // namespace pupflow

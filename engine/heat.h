@@ -16,14 +16,8 @@ namespace pupflow {
 /// of the touching afferents, which only counts where exposed < 1.
 double heat_step(const Params& params, double tb, double exposed, double contact_mean);
 
-/// Heats and cools all pups of a litter at once.
+/// T_b of one pup after this step. It is not yet set: all pups change at once.
 template <class Real>
-class Heat {
- public:
-  Status apply(const Params& params, State<Real>& state);
-
- private:
-  std::vector<double> next_;
-};
+Status heat(const Params& params, const State<Real>& state, int pup, double& next);
 
 }  // namespace pupflow

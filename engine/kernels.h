@@ -3,6 +3,7 @@
 // nothing is contracted.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -23,13 +24,12 @@ struct Region {
   Real low[3], high[3];
 };
 
-/// Points copied side by side for a search: coordinates, where they came from, the box round them.
+/// Points copied side by side for a search: coordinates, and where they came from.
 template <class Real>
 struct Candidates {
-  Real *x, *y, *z;  // room for whole packs
-  int* point;
+  Real *x, *y, *z;  // room for a pack more than there are points
+  int* point;       // and for 64 bytes more
   int count;
-  Real low[3], high[3];
 };
 
 /// What the contacts of each candidate with the other pup's come to.
@@ -39,6 +39,7 @@ struct ContactSums {
       *pull[3];   // sums of (p_a - p_b)(reach - d) and of (p_b - p_a) where it is the upper one
   Real* uppers;   // how many contacts those are
   Real* nearest;  // squared distance to the nearest touching point; infinite without contact
+  std::uint64_t* touching;  // bit i is set where candidate i has a contact
 };
 
 /// Arrays hold `stride` numbers, whole packs. xyz are three such rows; functions that say so leave
@@ -62,12 +63,17 @@ struct Kernels {
                Real velocity_share, Real* x, Real* v);
   /// Sum of a[i] b[i].
   Real (*dot)(const Real* a, const Real* b, int stride);
-  /// How many of the first `points` points have cosine (y - cy) - sine (x - cx) > 0.
-  int (*count_left)(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosine,
-                    Real sine);
+  /// Sets the bits of `words` (as many as `points` points need) where cosine (y - cy) - sine (x -
+  /// cx) > 0.
+  void (*left)(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosine, Real sine,
+               std::uint64_t* words);
+  /// Sets the bits of `words` where a point touched somebody: `touched` is not negative there.
+  void (*touching)(const int* touched, int points, std::uint64_t* words);
   /// Copies the points inside the region to `out`, in order, and pads them with points far away.
   void (*gather)(const Real* const xyz[3], int points, const Region<Real>& region,
                  Candidates<Real>& out);
+  /// The box round some candidates, at least one.
+  void (*box)(const Candidates<Real>& candidates, Real low[3], Real high[3]);
   /// Contacts between two pups' candidates: pairs nearer than `reach`. At equal heights `a` is the
   /// upper one. Returns whether there is any.
   bool (*touch)(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,

@@ -5,6 +5,7 @@
 
 #include "engine/kernels.h"
 #include "engine/pack.h"
+#include "engine/point_set.h"
 
 namespace pupflow {
 namespace {
@@ -138,19 +139,36 @@ Real dot(const Real* a, const Real* b, int stride) {
   return sum.sum();
 }
 
+/// Bits of the lanes from `i` on that are points, of which there are `points`.
 template <class Real>
-int count_left(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosine, Real sine) {
+std::uint32_t point_lanes(int i, int points) {
+  const int left = points - i;
+  return left >= kLanes<Real> ? ~0u : (1u << left) - 1;
+}
+
+/// Sets bits i ... of `words`, which are clear so far. Packs never straddle a word.
+void set_bits(std::uint64_t* words, int i, std::uint32_t bits) {
+  words[i / 64] |= static_cast<std::uint64_t>(bits) << (i % 64);
+}
+
+template <class Real>
+void left(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosine, Real sine,
+          std::uint64_t* words) {
   using P = Pack<Real>;
   const P px = P::broadcast(cx), py = P::broadcast(cy), c = P::broadcast(cosine),
           s = P::broadcast(sine);
-  int count = 0;
+  for (int w = 0; w < words_for(points); ++w) words[w] = 0;
   for (int i = 0; i < points; i += kLanes<Real>) {
     const P across = c * (P::load(y + i) - py) - s * (P::load(x + i) - px);
-    const int left = points - i;
-    const std::uint32_t real = left >= kLanes<Real> ? ~0u : (1u << left) - 1;
-    count += std::popcount(less_bits(P::zero(), across) & real);
+    set_bits(words, i, less_bits(P::zero(), across) & point_lanes<Real>(i, points));
   }
-  return count;
+}
+
+void touching(const int* touched, int points, std::uint64_t* words) {
+  for (int w = 0; w < words_for(points); ++w) words[w] = 0;
+  int i = 0;
+  for (; i + 16 <= points; i += 16) set_bits(words, i, ~sign_bits(touched + i) & 0xffffu);
+  for (; i < points; ++i) set_bits(words, i, touched[i] >= 0 ? 1 : 0);
 }
 
 template <class Real>
@@ -162,37 +180,54 @@ void gather(const Real* const xyz[3], int points, const Region<Real>& region,
     centre[axis] = P::broadcast(region.centre[axis]);
     low[axis] = P::broadcast(region.low[axis]);
     high[axis] = P::broadcast(region.high[axis]);
-    out.low[axis] = std::numeric_limits<Real>::infinity();
-    out.high[axis] = -std::numeric_limits<Real>::infinity();
   }
   const P limit = P::broadcast(region.radius * region.radius);
+  Real* const to[3] = {out.x, out.y, out.z};
+  int* const ids = out.point;
   int count = 0;
   for (int i = 0; i < points; i += kLanes<Real>) {
     const P p[3] = {P::load(xyz[0] + i), P::load(xyz[1] + i), P::load(xyz[2] + i)};
     const P dx = p[0] - centre[0], dy = p[1] - centre[1], dz = p[2] - centre[2];
-    const int left = points - i;
-    std::uint32_t bits = left >= kLanes<Real> ? ~0u : (1u << left) - 1;
-    bits &= less_bits(dx * dx + dy * dy + dz * dz, limit);
+    std::uint32_t bits =
+        less_bits(dx * dx + dy * dy + dz * dz, limit) & point_lanes<Real>(i, points);
     if (bits == 0) continue;
-    for (int axis = 0; axis < 3; ++axis) {
+    PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) {
       bits &= less_bits(low[axis], p[axis]) & less_bits(p[axis], high[axis]);
     }
-    for (; bits != 0; bits &= bits - 1) {
-      const int point = i + std::countr_zero(bits);
-      Real* const to[3] = {out.x, out.y, out.z};
-      for (int axis = 0; axis < 3; ++axis) {
-        const Real value = xyz[axis][point];
-        to[axis][count] = value;
-        out.low[axis] = value < out.low[axis] ? value : out.low[axis];
-        out.high[axis] = value > out.high[axis] ? value : out.high[axis];
-      }
-      out.point[count++] = point;
+    PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) {
+      compress(xyz[axis] + i, bits, to[axis] + count);
     }
+    compress_index(i, bits, ids + count);
+    count += std::popcount(bits);
   }
   out.count = count;
-  for (int i = count; i < padded<Real>(count); ++i) {
-    out.x[i] = Real(1e18);  // near nobody, and its square is finite
-    out.y[i] = out.z[i] = 0;
+  P::broadcast(Real(1e18)).store(out.x + count);  // near nobody, and its square is finite
+  P::zero().store(out.y + count);
+  P::zero().store(out.z + count);
+}
+
+template <class Real>
+void box(const Candidates<Real>& candidates, Real low[3], Real high[3]) {
+  using P = Pack<Real>;
+  const Real* const rows[3] = {candidates.x, candidates.y, candidates.z};
+  const int count = candidates.count;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (count < kLanes<Real>) {  // no whole pack without padding
+      low[axis] = high[axis] = rows[axis][0];
+      for (int i = 1; i < count; ++i) {
+        low[axis] = rows[axis][i] < low[axis] ? rows[axis][i] : low[axis];
+        high[axis] = rows[axis][i] > high[axis] ? rows[axis][i] : high[axis];
+      }
+      continue;
+    }
+    P least = P::load(rows[axis]), greatest = least;
+    for_whole_packs<Real>(count, [&](int i) {
+      const P value = P::load(rows[axis] + i);
+      least = min(value, least);
+      greatest = max(value, greatest);
+    });
+    low[axis] = least.least();
+    high[axis] = greatest.greatest();
   }
 }
 
@@ -205,6 +240,17 @@ void clear(ContactSums<Real>& sums, int count) {
     for (int i = 0; i < count; i += kLanes<Real>) zero.store(row + i);
   }
   for (int i = 0; i < count; i += kLanes<Real>) nobody.store(sums.nearest + i);
+}
+
+/// Marks the candidates that have a contact.
+template <class Real>
+void mark_touching(const ContactSums<Real>& sums, int count) {
+  using P = Pack<Real>;
+  const P nobody = P::broadcast(std::numeric_limits<Real>::infinity());
+  for (int w = 0; w < words_for(count); ++w) sums.touching[w] = 0;
+  for (int i = 0; i < count; i += kLanes<Real>) {
+    set_bits(sums.touching, i, less_bits(P::load(sums.nearest + i), nobody));
+  }
 }
 
 template <class Real>
@@ -261,13 +307,17 @@ bool touch(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
     sums_a.uppers[i] = uppers.sum();
     sums_a.nearest[i] = nearest.least();
   }
+  if (any) {
+    mark_touching(sums_a, a.count);
+    mark_touching(sums_b, b.count);
+  }
   return any;
 }
 
 template <class Real>
-constexpr Kernels<Real> kTable{bounds<Real>,     floor<Real>,  predict<Real>,
-                               fit<Real>,        pull<Real>,   dot<Real>,
-                               count_left<Real>, gather<Real>, touch<Real>};
+constexpr Kernels<Real> kTable{bounds<Real>, floor<Real>, predict<Real>, fit<Real>,
+                               pull<Real>,   dot<Real>,   left<Real>,    touching,
+                               gather<Real>, box<Real>,   touch<Real>};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 // another.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -237,6 +238,51 @@ struct Pack {
 #endif
   }
 };
+
+/// Writes the lanes of `from` whose bits are set side by side to `to`; up to a whole pack of what
+/// lies there may be overwritten.
+template <class Real>
+void compress(const Real* from, std::uint32_t bits, Real* to) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Real) == 4) {
+    const auto mask = static_cast<__mmask16>(bits);
+    _mm512_storeu_ps(to, _mm512_maskz_compress_ps(mask, _mm512_loadu_ps(from)));
+  } else {
+    const auto mask = static_cast<__mmask8>(bits);
+    _mm512_storeu_pd(to, _mm512_maskz_compress_pd(mask, _mm512_loadu_pd(from)));
+  }
+#else
+  for (; bits != 0; bits &= bits - 1) *to++ = from[std::countr_zero(bits)];
+#endif
+}
+
+/// Writes `first` + i for each set bit i of `bits`, of which 16 count, side by side to `to`; up to
+/// 64 bytes of what lies there may be overwritten.
+void compress_index(int first, std::uint32_t bits, int* to) {
+#if defined(__AVX512F__)
+  const __m512i ramp = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  const __m512i index = _mm512_add_epi32(ramp, _mm512_set1_epi32(first));
+  _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), index));
+#else
+  for (; bits != 0; bits &= bits - 1) *to++ = first + std::countr_zero(bits);
+#endif
+}
+
+/// Bit i is set where from[i] is negative, for 16 numbers.
+std::uint32_t sign_bits(const int* from) {
+#if defined(__SSE2__)
+  std::uint32_t bits = 0;
+  PUPFLOW_UNROLL for (int i = 0; i < 4; ++i) {
+    const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from + 4 * i));
+    bits |= static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(four))) << (4 * i);
+  }
+  return bits;
+#else
+  std::uint32_t bits = 0;
+  for (int i = 0; i < 16; ++i) bits |= (from[i] < 0 ? 1u : 0u) << i;
+  return bits;
+#endif
+}
 
 }  // namespace
 }  // namespace pupflow

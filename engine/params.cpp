@@ -14,6 +14,7 @@ constexpr double kExactInteger = 9007199254740991.0;  // 2^53 - 1: whole in a do
 
 constexpr std::array<std::string_view, 2> kHeadingNames{"course", "body"};
 constexpr std::array<std::string_view, 2> kStartNames{"column", "carpet"};
+constexpr std::array<std::string_view, 2> kRefinementNames{"naive", "consistent"};
 constexpr std::array<std::string_view, 2> kIntegratorNames{"predictive", "explicit"};
 constexpr std::array<std::string_view, 2> kHeatNames{"exact", "euler"};
 constexpr std::array<std::string_view, 2> kPrecisionNames{"float", "double"};
@@ -133,7 +134,7 @@ constexpr std::array kTable{
     row<&Params::pups>(
         Effect::restart, {0, 10000, 0, 200},
         {"pups", "N", "pups", "", "litter", kPaper, "Number of pups in the litter."}),
-    row<&Params::face_points>(Effect::restart, {2, 32, 2, 15},
+    row<&Params::face_points>(Effect::restart, {2, kMaxFacePoints, 2, 15},
                               {"face_points", "k", "points along a face edge", "", "litter", kPaper,
                                "Each pup has n = 6 k² points on its surface."}),
     row<&Params::pup_radius>(Effect::restart, {0, 1e6, 0.05, 1, true},
@@ -157,6 +158,11 @@ constexpr std::array kTable{
     row<&Params::dt>(Effect::next_step, {0, 1e3, 0.001, 0.05, true, true},
                      {"dt", "h", "time step", "s", "run", kPaper,
                       "Length of a step. Rigidity acts per step, so 0.01 is part of the model."}),
+    choice<&Params::refinement>(
+        Effect::next_step, kRefinementNames,
+        {"refinement", "", "refinement", "", "run", "naive: Wilson 2017; consistent: this program",
+         "naive: rigidity per step, whatever dt; consistent: per 0.01 s, so that a smaller dt is "
+         "the same body."}),
     choice<&Params::integrator>(Effect::next_step, kIntegratorNames,
                                 {"integrator", "", "integrator", "", "run",
                                  "predictive: Müller 2005; explicit: Wilson 2017",

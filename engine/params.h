@@ -15,8 +15,12 @@ namespace pupflow {
 enum class Heading { course, body };              // which direction a pup steers about
 enum class Start { column, carpet };              // how the litter is laid out at t = 0
 enum class Integrator { predictive, explicit_ };  // goals from x* (Mueller 2005, sec. 3.3) or x(t)
+enum class Refinement { naive, consistent };      // alpha per step, or per 0.01 s (refinement.h)
 enum class HeatRule { exact, euler };      // solution of the linear equation, or one Euler step
 enum class Precision { float_, double_ };  // arithmetic of the point arrays
+
+/// Most points along a face edge (k): clouds of up to 6 k^2 points.
+constexpr int kMaxFacePoints = 32;
 
 /// The model's parameters with the paper's values. Lengths in arena units, time in model seconds,
 /// temperatures in the paper's normalised units (0.6 is 37 degrees C). A plain value: edit a copy,
@@ -43,6 +47,7 @@ struct Params {
   Heading heading = Heading::course;
   Start start = Start::column;
   double start_spread = 0.25;
+  Refinement refinement = Refinement::naive;
   Integrator integrator = Integrator::predictive;
   HeatRule heat = HeatRule::exact;
   std::int64_t steps = 1500;

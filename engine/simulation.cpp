@@ -34,6 +34,7 @@ class Simulation::Model {
   virtual int points() const = 0;
   virtual std::uint64_t hash() const = 0;
   virtual void load(const Snapshot& snapshot) = 0;  // whose sizes fit
+  virtual void set_threads(int threads) = 0;
 
   /// Makes the plan anew, after a change of what it is made from.
   void replan() { plan = joined(make_plan(params, observed), forced); }
@@ -64,6 +65,8 @@ class Simulation::LitterModel final : public Simulation::Model {
   Status advance(StageListener* listener) override {
     return step_litter(params, plan, *cloud_, state_, workspace_, counters, listener);
   }
+
+  void set_threads(int threads) override { workspace_.team = Team(threads); }
 
   std::size_t size() const override { return 3 * state_.flat(state_.pups); }
   void copy_positions(std::span<float> xyz) const override {
@@ -230,6 +233,14 @@ void Simulation::set_observed(bool observed) {
 void Simulation::force_plan(const Plan& more) {
   model_->forced = more;
   model_->replan();
+}
+
+void Simulation::set_threads(int threads) {
+  if (threads < 1) {
+    throw std::invalid_argument("a simulation needs at least one thread, not " +
+                                std::to_string(threads));
+  }
+  model_->set_threads(threads);
 }
 
 const Plan& Simulation::plan() const {

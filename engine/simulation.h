@@ -53,6 +53,11 @@ class Simulation {
   /// pups that nothing drives.
   void force_plan(const Plan& more);
 
+  /// How many threads share a step: 1 at first. Results keep their bits. A litter of few pups uses
+  /// fewer, since waking a thread would cost more than it saves. Throws std::invalid_argument below
+  /// 1. A copy has threads of its own.
+  void set_threads(int threads);
+
   /// What a step does: the stages that the scene needs, and those that were forced.
   const Plan& plan() const;
 

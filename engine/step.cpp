@@ -1,49 +1,123 @@
 #include "engine/step.h"
 
 #include <array>
+#include <span>
 
 #include "engine/boundary.h"
 #include "engine/health.h"
+#include "engine/heat.h"
+#include "engine/refinement.h"
 #include "engine/shape_match.h"
 #include "engine/taxis.h"
 
 namespace pupflow {
 namespace {
 
+/// The planned stages in the order of the integrator.
+class Agenda {
+ public:
+  Agenda(const Plan& plan, Integrator integrator) {
+    const bool predict_first = integrator == Integrator::predictive;
+    for (const Stage stage : {Stage::boundary, Stage::contact, Stage::steering, Stage::heat,
+                              predict_first ? Stage::predict : Stage::shape_match,
+                              predict_first ? Stage::shape_match : Stage::predict}) {
+      if (plan.has(stage)) stages_[count_++] = stage;
+    }
+  }
+  std::span<const Stage> stages() const { return {stages_.data(), count_}; }
+
+  /// The last stage that moves points.
+  Stage last_motion() const { return stages_[count_ - 1]; }
+
+ private:
+  std::array<Stage, kStageCount> stages_{};
+  std::size_t count_ = 0;
+};
+
 /// After the last stage that moved points: bounds for the next step, and a look for bad numbers.
 template <class Real>
-Status finish_motion(const Params& params, State<Real>& state, Stage stage) {
+Status finish_motion(const Params& params, State<Real>& state, int pup, Stage stage) {
   const double suspect = kSuspectRadii * params.pup_radius;
-  for (int pup = 0; pup < state.pups; ++pup) {
-    const bool finite = update_bounds(state, pup);
-    const Bounds<Real>& box = state.bounds[pup];
-    bool small = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      small = small &&
-              static_cast<double>(box.high[axis]) - static_cast<double>(box.low[axis]) < suspect;
+  bool sound = update_bounds(state, pup);
+  const Bounds<Real>& box = state.bounds[pup];
+  for (int axis = 0; axis < 3; ++axis) {
+    sound =
+        sound && static_cast<double>(box.high[axis]) - static_cast<double>(box.low[axis]) < suspect;
+  }
+  return sound ? Status{} : inspect_pup(state, pup, params.pup_radius, stage);
+}
+
+/// One step under way.
+template <class Real>
+struct Step {
+  using Found = typename Workspace<Real>::Found;
+
+  const Params& params;
+  const Plan& plan;
+  const Cloud<Real>& cloud;
+  State<Real>& state;
+  Workspace<Real>& workspace;
+  const Agenda& agenda;
+  StepBody body;
+
+  Status stage_of_pup(Stage stage, int pup, StepCounters& counters) const {
+    switch (stage) {
+      case Stage::boundary:
+        apply_boundaries(params, state, pup);
+        return {};
+      case Stage::contact:
+        return workspace.contacts.apply(params, body.contact_share, plan.afferents, state, pup);
+      case Stage::steering:
+        return steer(params, cloud, state, pup);
+      case Stage::heat:
+        return heat(params, state, pup, workspace.next_tb[pup]);
+      case Stage::predict:
+        if (body.damps()) damp_deformation(body, plan.quadratic, cloud, state, pup);
+        predict(params, state, pup);
+        break;
+      case Stage::shape_match:
+        const RotationKind kind = match_shape(params, body, plan.quadratic, cloud, state, pup);
+        counters.rotation_fallbacks += kind == RotationKind::regular ? 0 : 1;
+        break;
     }
-    if (finite && small) continue;
-    const Status status = inspect_pup(state, pup, params.pup_radius, stage);
-    if (!status.ok()) return status;
+    return stage == agenda.last_motion() ? finish_motion(params, state, pup, stage) : Status{};
   }
-  return {};
-}
 
-template <class Real>
-Status move(const Params& params, State<Real>& state, bool last) {
-  for (int pup = 0; pup < state.pups; ++pup) predict(params, state, pup);
-  return last ? finish_motion(params, state, Stage::predict) : Status{};
-}
-
-template <class Real>
-Status match(const Params& params, bool quadratic, const Cloud<Real>& cloud, State<Real>& state,
-             StepCounters& counters, bool last) {
-  for (int pup = 0; pup < state.pups; ++pup) {
-    const RotationKind kind = match_shape(params, quadratic, cloud, state, pup);
-    counters.rotation_fallbacks += kind == RotationKind::regular ? 0 : 1;
+  /// Stages number `begin` ... `end` - 1 of the agenda: all of them for one pup, then for the next,
+  /// while its points are at hand.
+  void run(std::size_t begin, std::size_t end) const {
+    if (agenda.stages()[begin] == Stage::contact) {
+      workspace.contacts.find(params, plan.afferents, state, workspace.team);
+    }
+    const int workers = useful_workers(workspace.team, state.pups);
+    workspace.team.run(workers, [&](int worker) {
+      Found& found = workspace.found[worker];
+      const PupRange share = share_of(state.pups, worker, workers);
+      for (int pup = share.begin; pup < share.end; ++pup) {
+        for (std::size_t place = begin; place < end; ++place) {
+          const Status status = stage_of_pup(agenda.stages()[place], pup, found.counters);
+          if (!status.ok()) keep_earliest(found, status, static_cast<int>(place));
+        }
+      }
+    });
   }
-  return last ? finish_motion(params, state, Stage::shape_match) : Status{};
-}
+
+  static void keep_earliest(Found& found, const Status& status, int place) {
+    if (!found.status.ok() && found.place <= place) return;
+    found.status = status;
+    found.place = place;
+  }
+
+  /// What all workers found.
+  Status gather(StepCounters& counters) const {
+    Found all;
+    for (const Found& found : workspace.found) {
+      if (!found.status.ok()) keep_earliest(all, found.status, found.place);
+      counters.rotation_fallbacks += found.counters.rotation_fallbacks;
+    }
+    return all.status;
+  }
+};
 
 }  // namespace
 
@@ -51,45 +125,27 @@ template <class Real>
 Status step_litter(const Params& params, const Plan& plan, const Cloud<Real>& cloud,
                    State<Real>& state, Workspace<Real>& workspace, StepCounters& counters,
                    StageListener* listener) {
-  const bool predict_first = params.integrator == Integrator::predictive;
-  const bool predict_last = !predict_first || !plan.has(Stage::shape_match);
-  const std::array<Stage, kStageCount> order{
-      Stage::boundary,
-      Stage::contact,
-      Stage::steering,
-      Stage::heat,
-      predict_first ? Stage::predict : Stage::shape_match,
-      predict_first ? Stage::shape_match : Stage::predict,
-  };
-  for (const Stage stage : order) {
-    if (!plan.has(stage)) continue;
-    if (listener != nullptr) listener->stage_begins(stage);
-    Status status;
-    switch (stage) {
-      case Stage::boundary:
-        apply_boundaries(params, state);
-        break;
-      case Stage::contact:
-        status = workspace.contacts.resolve(params, plan.afferents, state);
-        break;
-      case Stage::steering:
-        status = steer(params, cloud, state);
-        break;
-      case Stage::heat:
-        status = workspace.heat.apply(params, state);
-        break;
-      case Stage::predict:
-        status = move(params, state, predict_last);
-        break;
-      case Stage::shape_match:
-        status = match(params, plan.quadratic, cloud, state, counters, predict_first);
-        break;
-    }
-    if (listener != nullptr) listener->stage_ends(stage);
-    if (!status.ok()) return status;
+  const Agenda agenda(plan, params.integrator);
+  const std::span<const Stage> stages = agenda.stages();
+  const Step<Real> step{params, plan, cloud, state, workspace, agenda, step_body(params)};
+  workspace.found.assign(workspace.team.size(), {});
+  workspace.next_tb.resize(state.pups);
+  // Contacts need all pups behind the boundary stage. What follows them looks at nothing of other
+  // pups that a later stage changes, so a pup can be taken through it in one go; a listener wants
+  // to see the stages one by one.
+  const bool apart = listener != nullptr;
+  for (std::size_t begin = 0; begin < stages.size();) {
+    const bool alone = apart || stages[begin] == Stage::boundary;
+    const std::size_t end = alone ? begin + 1 : stages.size();
+    if (apart) listener->stage_begins(stages[begin]);
+    step.run(begin, end);
+    if (apart) listener->stage_ends(stages[begin]);
+    begin = end;
   }
-  ++state.step;
-  return {};
+  if (plan.has(Stage::heat)) state.tb.swap(workspace.next_tb);
+  const Status status = step.gather(counters);
+  if (status.ok()) ++state.step;
+  return status;
 }
 
 #define PUPFLOW_INSTANTIATE(Real)                                                                 \

@@ -1,10 +1,12 @@
 #include "engine/taxis.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "engine/elementary.h"
+#include "engine/point_set.h"
 
 namespace pupflow {
 namespace {
@@ -23,13 +25,6 @@ double excitation(const Params& params, double tb, double t) {
   return std::clamp(params.sigma * t * need, -kLimit, kLimit);
 }
 
-/// Temperatures felt on one side: those of nobody touched count as T_a.
-struct Side {
-  double sum = 0;  // of T_c - T_a over the touching points
-  int points = 0;
-  double mean(double ta) const { return points > 0 ? ta + sum / points : ta; }
-};
-
 /// Side temperatures about `direction`. With `first_on_axis` the first point is not on the left.
 template <class Real>
 SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
@@ -38,20 +33,23 @@ SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
   const Real* x = state.x.data() + state.row(pup);
   const Real* y = state.y.data() + state.row(pup);
   const int* touched = state.touched.data() + state.flat(pup);
-  const Real cx = mean_of(cloud, state, x), cy = mean_of(cloud, state, y);
   const SinCos axis = sincos_fixed(direction);
-  const Real cosine = static_cast<Real>(axis.cos), sine = static_cast<Real>(axis.sin);
-  const auto across = [&](int i) { return cosine * (y[i] - cy) - sine * (x[i] - cx); };
-  Side left, right;
-  left.points = state.kernels->count_left(x, y, state.points, cx, cy, cosine, sine);
-  if (first_on_axis && across(0) > 0) --left.points;
-  right.points = state.points - left.points;
-  for (int i = 0; i < state.points; ++i) {
-    if (touched[i] < 0) continue;
-    const bool is_left = across(i) > 0 && !(first_on_axis && i == 0);
-    (is_left ? left : right).sum += state.tb[touched[i]] - params.ta;
-  }
-  return {left.mean(params.ta), right.mean(params.ta)};
+  const int words = words_for(state.points);
+  std::uint64_t left[kMaxPointWords], touching[kMaxPointWords];
+  state.kernels->left(x, y, state.points, mean_of(cloud, state, x), mean_of(cloud, state, y),
+                      static_cast<Real>(axis.cos), static_cast<Real>(axis.sin), left);
+  state.kernels->touching(touched, state.points, touching);
+  if (first_on_axis) left[0] &= ~std::uint64_t{1};
+  const auto is_left = [&](int i) { return (left[i / 64] >> (i % 64)) & 1; };
+  double sum[2] = {0, 0};  // of T_c - T_a over the touching points: right, left
+  for_each_point(touching, words,
+                 [&](int i) { sum[is_left(i)] += state.tb[touched[i]] - params.ta; });
+  int on_left = 0;
+  for (int w = 0; w < words; ++w) on_left += std::popcount(left[w]);
+  const int on_right = state.points - on_left;
+  // Points that touch nobody feel T_a, and so does a side without points.
+  return {params.ta + (on_left > 0 ? sum[1] / on_left : 0),
+          params.ta + (on_right > 0 ? sum[0] / on_right : 0)};
 }
 
 }  // namespace
@@ -87,23 +85,21 @@ SideTemperatures body_side_temperatures(const Params& params, const Cloud<Real>&
 }
 
 template <class Real>
-Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state) {
-  for (int pup = 0; pup < state.pups; ++pup) {
-    const bool course = params.heading == Heading::course;
-    const bool touches = state.exposed[pup] < 1;  // else both sides feel T_a and there is no turn
-    if (course && !touches) continue;
-    const double direction = course ? state.heading[pup] : body_axis(cloud, state, pup);
-    double delta = 0;
-    if (touches) {
-      const SideTemperatures t = course ? side_temperatures(params, cloud, state, pup, direction)
-                                        : body_side_temperatures(params, cloud, state, pup);
-      delta = turn(params, state.tb[pup], t.left, t.right);
-    }
-    const double next = direction + (course ? params.dt * delta : delta);
-    if (!std::isfinite(next))
-      return {Status::Kind::non_finite, Stage::steering, state.step + 1, pup, -1};
-    state.heading[pup] = wrap_angle(next);
+Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state, int pup) {
+  const bool course = params.heading == Heading::course;
+  const bool touches = state.exposed[pup] < 1;  // else both sides feel T_a and there is no turn
+  if (course && !touches) return {};
+  const double direction = course ? state.heading[pup] : body_axis(cloud, state, pup);
+  double delta = 0;
+  if (touches) {
+    const SideTemperatures t = course ? side_temperatures(params, cloud, state, pup, direction)
+                                      : body_side_temperatures(params, cloud, state, pup);
+    delta = turn(params, state.tb[pup], t.left, t.right);
   }
+  const double next = direction + (course ? params.dt * delta : delta);
+  if (!std::isfinite(next))
+    return {Status::Kind::non_finite, Stage::steering, state.step + 1, pup, -1};
+  state.heading[pup] = wrap_angle(next);
   return {};
 }
 
@@ -113,7 +109,7 @@ Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state)
                                                     const State<Real>&, int, double);       \
   template SideTemperatures body_side_temperatures<Real>(const Params&, const Cloud<Real>&, \
                                                          const State<Real>&, int);          \
-  template Status steer<Real>(const Params&, const Cloud<Real>&, State<Real>&);
+  template Status steer<Real>(const Params&, const Cloud<Real>&, State<Real>&, int);
 PUPFLOW_INSTANTIATE(float)
 PUPFLOW_INSTANTIATE(double)
 #undef PUPFLOW_INSTANTIATE

@@ -37,8 +37,8 @@ template <class Real>
 SideTemperatures body_side_temperatures(const Params& params, const Cloud<Real>& cloud,
                                         const State<Real>& state, int pup);
 
-/// Steers every pup: sets its heading.
+/// Steers one pup: sets its heading. Reads the body temperatures of others, so heat comes later.
 template <class Real>
-Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state);
+Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state, int pup);
 
 }  // namespace pupflow

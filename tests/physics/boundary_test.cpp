@@ -33,7 +33,7 @@ TEST(Boundary, EveryPointObeysTheRule) {
   const Params p;
   State<double> now = scattered<double>(1);
   const State<double> old = now;
-  apply_boundaries(p, now);
+  for (int pup = 0; pup < now.pups; ++pup) apply_boundaries(p, now, pup);
   int floor_hits = 0, wall_hits = 0;
   for (std::size_t k = 0; k < now.x.size(); ++k) {
     Eigen::Vector3d x(old.x[k], old.y[k], old.z[k]), v(old.vx[k], old.vy[k], old.vz[k]);
@@ -58,7 +58,7 @@ TEST(Boundary, EveryPointObeysTheRule) {
 
 TEST(Boundary, BoundsStayTrue) {
   State<float> state = scattered<float>(2);
-  apply_boundaries(Params{}, state);
+  for (int pup = 0; pup < state.pups; ++pup) apply_boundaries(Params{}, state, pup);
   for (int pup = 0; pup < state.pups; ++pup) {
     const Bounds<float> box = state.bounds[pup];
     for (std::size_t k = state.row(pup); k < state.row(pup) + state.stride; ++k) {

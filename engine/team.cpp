@@ -1,0 +1,91 @@
+#include "engine/team.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace pupflow {
+
+/// All workers but the first. They wait for `round_` to change; the low bits of nothing else are
+/// shared but the job itself, which is written before the round begins.
+class Team::Threads {
+ public:
+  explicit Threads(int count) {
+    for (int i = 1; i <= count; ++i) {
+      threads_.emplace_back([this, i] { serve(i); });
+    }
+  }
+
+  ~Threads() {
+    stop_ = true;
+    begin_round();
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+  void run(int workers, void (*call)(void*, int), void* job) {
+    call_ = call;
+    job_ = job;
+    workers_ = workers;
+    busy_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);
+    begin_round();
+    call(job, 0);
+    for (int left = busy_.load(); left != 0; left = busy_.load()) busy_.wait(left);
+  }
+
+ private:
+  void begin_round() {
+    round_.fetch_add(1);
+    round_.notify_all();
+  }
+
+  void serve(int worker) {
+    for (std::uint32_t seen = 0;;) {
+      round_.wait(seen);
+      seen = round_.load();
+      if (stop_) return;
+      if (worker < workers_) call_(job_, worker);
+      if (busy_.fetch_sub(1) == 1) busy_.notify_one();
+    }
+  }
+
+  std::atomic<std::uint32_t> round_{0};
+  std::atomic<int> busy_{0};  // workers that have not finished this round
+  bool stop_ = false;
+  int workers_ = 0;
+  void (*call_)(void*, int) = nullptr;
+  void* job_ = nullptr;
+  std::vector<std::thread> threads_;
+};
+
+Team::Team(int threads) : size_(std::max(threads, 1)) {}
+Team::Team(const Team& other) : Team(other.size_) {}
+Team::Team(Team&&) noexcept = default;
+Team& Team::operator=(const Team& other) {
+  if (this != &other) *this = Team(other.size_);
+  return *this;
+}
+Team& Team::operator=(Team&&) noexcept = default;
+Team::~Team() = default;
+
+void Team::run_together(int workers, void (*call)(void*, int), void* job) {
+  if (!threads_) threads_ = std::make_unique<Threads>(size_ - 1);
+  threads_->run(std::min(workers, size_), call, job);
+}
+
+PupRange share_of(int pups, int worker, int workers) {
+  const auto cut = [&](int i) {
+    return static_cast<int>(static_cast<std::int64_t>(pups) * i / workers);
+  };
+  return {cut(worker), cut(worker + 1)};
+}
+
+int useful_workers(const Team& team, int pups) {
+  constexpr int kPupsWorthAThread = 24;
+  return std::clamp(pups / kPupsWorthAThread, 1, team.size());
+}
+
+}  // namespace pupflow

@@ -1,0 +1,59 @@
+// Threads that share the work on one litter.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+
+namespace pupflow {
+
+/// A group of workers that do the same job side by side, again and again. The calling thread is
+/// worker 0; the others are started when first needed and wait in between. A copy is a team of its
+/// own, of the same size.
+class Team {
+ public:
+  /// A team of `threads` workers, at least one.
+  explicit Team(int threads = 1);
+  Team(const Team& other);
+  Team(Team&&) noexcept;
+  Team& operator=(const Team& other);
+  Team& operator=(Team&&) noexcept;
+  ~Team();
+
+  int size() const { return size_; }
+
+  /// Calls `job(worker)` once for each worker 0 ... workers - 1, at the same time, and returns when
+  /// all are done. `workers` is at most size(); `job` must not throw.
+  template <class Job>
+  void run(int workers, Job&& job) {
+    if (workers <= 1) {
+      job(0);
+      return;
+    }
+    using Plain = std::remove_reference_t<Job>;
+    run_together(
+        workers, [](void* call, int worker) { (*static_cast<Plain*>(call))(worker); },
+        const_cast<void*>(static_cast<const void*>(&job)));
+  }
+
+ private:
+  class Threads;
+  void run_together(int workers, void (*call)(void*, int), void* job);
+
+  int size_;
+  std::unique_ptr<Threads> threads_;  // none before the first job for more than one
+};
+
+/// The pups begin ... end - 1 are one worker's share.
+struct PupRange {
+  int begin, end;
+};
+
+/// Share number `worker` of `workers` equal shares of `pups` pups, in order.
+PupRange share_of(int pups, int worker, int workers);
+
+/// How many workers `pups` pups keep busy: with few pups, waking another thread costs more than it
+/// saves.
+int useful_workers(const Team& team, int pups);
+
+}  // namespace pupflow

@@ -59,10 +59,18 @@ constexpr std::array<double, 22> atan_series() {
   return c;
 }
 
+/// Coefficients 1 / (2i + 1), of artanh t / t.
+constexpr std::array<double, 12> atanh_series() {
+  std::array<double, 12> c{};
+  for (std::size_t i = 0; i < c.size(); ++i) c[i] = 1 / (2.0 * static_cast<double>(i) + 1.0);
+  return c;
+}
+
 constexpr auto kExpm1 = expm1_series();
 constexpr auto kSin = circular_series(1);
 constexpr auto kCos = circular_series(0);
 constexpr auto kAtan = atan_series();
+constexpr auto kAtanh = atanh_series();
 
 /// 2^n for -1022 <= n <= 1023.
 double power_of_two(int n) {
@@ -86,6 +94,16 @@ double exp_fixed(double x) {
 double expm1_fixed(double x) {
   if (std::abs(x) < 0.5) return x * horner(kExpm1, x);
   return exp_fixed(x) - 1;
+}
+
+double log_fixed(double x) {
+  // x = m 2^n with m within a factor sqrt(2) of 1; ln m = 2 artanh((m - 1) / (m + 1)).
+  constexpr std::uint64_t kOneOverRoot2 = 0x3fe6a09e667f3bcd;
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+  const auto n = static_cast<std::int64_t>(bits - kOneOverRoot2) >> 52;
+  const double m = std::bit_cast<double>(bits - (static_cast<std::uint64_t>(n) << 52));
+  const double t = (m - 1) / (m + 1), power = static_cast<double>(n);
+  return power * kLn2High + (2 * t * horner(kAtanh, t * t) + power * kLn2Low);
 }
 
 double atan_fixed(double x) {

@@ -13,6 +13,9 @@ double exp_fixed(double x);
 /// e^x - 1, accurate near 0 too.
 double expm1_fixed(double x);
 
+/// ln x for normal x > 0.
+double log_fixed(double x);
+
 /// arctan x in (-pi/2, pi/2); infinite arguments give the limits.
 double atan_fixed(double x);
 

@@ -276,6 +276,26 @@ bool parse_value(const Parameter& parameter, std::string_view text, Params& para
   return true;
 }
 
+namespace {
+
+/// What refinement.h needs.
+void check_refinement(const Params& params, std::vector<Problem>& problems) {
+  if (params.dt > kReferenceStep) {
+    problems.push_back({"refinement", "refinement = consistent: dt = " + number_text(params.dt) +
+                                          " must be at most " + number_text(kReferenceStep) +
+                                          ", the step that it refines"});
+  }
+  if (params.dt < kReferenceStep && params.alpha == 1 &&
+      params.integrator == Integrator::predictive) {
+    problems.push_back({"refinement",
+                        "refinement = consistent: alpha = 1 stops deformation within one step and "
+                        "has no finer form; alpha must be below 1, or dt " +
+                            number_text(kReferenceStep)});
+  }
+}
+
+}  // namespace
+
 std::vector<Problem> check(const Params& params) {
   std::vector<Problem> problems;
   for (const Parameter& parameter : kTable) {
@@ -289,6 +309,7 @@ std::vector<Problem> check(const Params& params) {
          "arena_radius = " + number_text(params.arena_radius) +
              ": arena radius must exceed pup_radius + point_radius = " + number_text(reach)});
   }
+  if (params.refinement == Refinement::consistent) check_refinement(params, problems);
   return problems;
 }
 

@@ -19,6 +19,9 @@ enum class Refinement { naive, consistent };      // alpha per step, or per 0.01
 enum class HeatRule { exact, euler };      // solution of the linear equation, or one Euler step
 enum class Precision { float_, double_ };  // arithmetic of the point arrays
 
+/// The step at which rigidity and contacts are the paper's; Refinement::consistent keeps to it.
+constexpr double kReferenceStep = 0.01;
+
 /// Most points along a face edge (k): clouds of up to 6 k^2 points.
 constexpr int kMaxFacePoints = 32;
 

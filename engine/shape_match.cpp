@@ -1,6 +1,7 @@
 #include "engine/shape_match.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/elementary.h"
@@ -40,29 +41,49 @@ Real* velocity_row(State<Real>& state, int axis, int pup) {
   return component[axis]->data() + state.row(pup);
 }
 
+/// One row of a mode matrix in a kernel's precision.
+template <class Real>
+struct ModeRow {
+  Real value[kModes];
+  ModeRow(const ModeMatrix& matrix, int axis) {
+    for (int m = 0; m < kModes; ++m) value[m] = static_cast<Real>(matrix(axis, m));
+  }
+};
+
+template <class Real>
+ModeMatrix fit(const Cloud<Real>& cloud, const State<Real>& state,
+               const std::array<const AlignedVector<Real>*, 3>& component, int pup,
+               bool quadratic) {
+  const Real* xyz[3];
+  for (std::size_t axis = 0; axis < 3; ++axis) xyz[axis] = component[axis]->data() + state.row(pup);
+  const int modes = mode_count(quadratic);
+  Real sums[kModes][3];
+  state.kernels->fit(cloud.mode.data(), modes, cloud.stride, xyz, sums);
+  ModeMatrix result = ModeMatrix::Zero();
+  for (int m = 0; m < modes; ++m) {
+    for (int axis = 0; axis < 3; ++axis) result(axis, m) = static_cast<double>(sums[m][axis]);
+  }
+  return result;
+}
+
 }  // namespace
 
 template <class Real>
 ModeMatrix fit_modes(const Cloud<Real>& cloud, const State<Real>& state, int pup, bool quadratic) {
-  const std::size_t row = state.row(pup);
-  const Real* xyz[3] = {state.x.data() + row, state.y.data() + row, state.z.data() + row};
-  const int modes = mode_count(quadratic);
-  Real sums[kModes][3];
-  state.kernels->fit(cloud.mode.data(), modes, cloud.stride, xyz, sums);
-  ModeMatrix fit = ModeMatrix::Zero();
-  for (int m = 0; m < modes; ++m) {
-    for (int axis = 0; axis < 3; ++axis) fit(axis, m) = static_cast<double>(sums[m][axis]);
-  }
-  return fit;
+  return fit(cloud, state, {&state.x, &state.y, &state.z}, pup, quadratic);
 }
 
-ModeMatrix goal_modes(const ModeMatrix& fit, double linear_scale, double beta, RotationKind& kind) {
+template <class Real>
+ModeMatrix fit_velocity_modes(const Cloud<Real>& cloud, const State<Real>& state, int pup,
+                              bool quadratic) {
+  return fit(cloud, state, {&state.vx, &state.vy, &state.vz}, pup, quadratic);
+}
+
+ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, double linear_scale,
+                      double beta) {
   ModeMatrix goal = beta * fit;
-  const Eigen::Matrix3d linear = fit.middleCols<kLinearModes>(1);
-  const Rotation rotation = nearest_rotation(linear);
-  kind = rotation.kind;
   // The fitted linear map of rest offsets is linear / linear_scale, the rotation's is R.
-  Eigen::Matrix3d map = (beta / linear_scale) * linear + (1 - beta) * rotation.matrix;
+  Eigen::Matrix3d map = (beta / linear_scale) * linear_part(fit) + (1 - beta) * rotation;
   if (beta > 0) map *= volume_factor(determinant(map));
   goal.middleCols<kLinearModes>(1) = linear_scale * map;
   goal.col(kMeanMode) = fit.col(kMeanMode);
@@ -85,29 +106,50 @@ void predict(const Params& params, State<Real>& state, int pup) {
 }
 
 template <class Real>
-RotationKind match_shape(const Params& params, bool quadratic, const Cloud<Real>& cloud,
-                         State<Real>& state, int pup) {
-  const ModeMatrix fit = fit_modes(cloud, state, pup, quadratic);
-  RotationKind kind = RotationKind::regular;
-  const ModeMatrix goal = goal_modes(fit, cloud.linear_scale, params.beta, kind);
+void draw_to_goals(const Params& params, const StepBody& body, bool quadratic,
+                   const Cloud<Real>& cloud, const ModeMatrix& goal, State<Real>& state, int pup) {
   const bool moves = params.integrator == Integrator::predictive;
-  const Real position_share = moves ? static_cast<Real>(params.alpha) : Real(0);
-  const Real velocity_share = static_cast<Real>(params.alpha / params.dt);
+  const Real position_share = moves ? static_cast<Real>(body.alpha) : Real(0);
+  const Real velocity_share = static_cast<Real>(body.alpha / params.dt);
   for (int axis = 0; axis < 3; ++axis) {
-    Real row[kModes];
-    for (int m = 0; m < kModes; ++m) row[m] = static_cast<Real>(goal(axis, m));
-    state.kernels->pull(cloud.mode.data(), mode_count(quadratic), cloud.stride, row, position_share,
-                        velocity_share, position_row(state, axis, pup),
+    const ModeRow<Real> row(goal, axis);
+    state.kernels->pull(cloud.mode.data(), mode_count(quadratic), cloud.stride, row.value,
+                        position_share, velocity_share, position_row(state, axis, pup),
                         velocity_row(state, axis, pup));
   }
-  return kind;
 }
 
-#define PUPFLOW_INSTANTIATE(Real)                                                                \
-  template ModeMatrix fit_modes<Real>(const Cloud<Real>&, const State<Real>&, int, bool);        \
-  template void predict<Real>(const Params&, State<Real>&, int);                                 \
-  template RotationKind match_shape<Real>(const Params&, bool, const Cloud<Real>&, State<Real>&, \
-                                          int);
+template <class Real>
+void draw_velocity(const Cloud<Real>& cloud, bool quadratic, const ModeMatrix& goal, double share,
+                   State<Real>& state, int pup) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const ModeRow<Real> row(goal, axis);
+    Real* v = velocity_row(state, axis, pup);
+    state.kernels->pull(cloud.mode.data(), mode_count(quadratic), cloud.stride, row.value,
+                        static_cast<Real>(share), Real(0), v, v);
+  }
+}
+
+template <class Real>
+RotationKind match_shape(const Params& params, const StepBody& body, bool quadratic,
+                         const Cloud<Real>& cloud, State<Real>& state, int pup) {
+  const ModeMatrix fit = fit_modes(cloud, state, pup, quadratic);
+  const Rotation rotation = nearest_rotation(linear_part(fit));
+  const ModeMatrix goal = goal_modes(fit, rotation.matrix, cloud.linear_scale, body.beta);
+  draw_to_goals(params, body, quadratic, cloud, goal, state, pup);
+  return rotation.kind;
+}
+
+#define PUPFLOW_INSTANTIATE(Real)                                                                  \
+  template ModeMatrix fit_modes<Real>(const Cloud<Real>&, const State<Real>&, int, bool);          \
+  template ModeMatrix fit_velocity_modes<Real>(const Cloud<Real>&, const State<Real>&, int, bool); \
+  template void predict<Real>(const Params&, State<Real>&, int);                                   \
+  template void draw_to_goals<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,      \
+                                    const ModeMatrix&, State<Real>&, int);                         \
+  template void draw_velocity<Real>(const Cloud<Real>&, bool, const ModeMatrix&, double,           \
+                                    State<Real>&, int);                                            \
+  template RotationKind match_shape<Real>(const Params&, const StepBody&, bool,                    \
+                                          const Cloud<Real>&, State<Real>&, int);
 PUPFLOW_INSTANTIATE(float)
 PUPFLOW_INSTANTIATE(double)
 #undef PUPFLOW_INSTANTIATE

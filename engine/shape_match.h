@@ -17,6 +17,7 @@
 
 #include "engine/cloud.h"
 #include "engine/params.h"
+#include "engine/refinement.h"
 #include "engine/rotation.h"
 #include "engine/state.h"
 
@@ -31,18 +32,39 @@ using ModeMatrix = Eigen::Matrix<double, 3, kModes>;
 template <class Real>
 ModeMatrix fit_modes(const Cloud<Real>& cloud, const State<Real>& state, int pup, bool quadratic);
 
-/// Coefficients of the goals for a fit: the mean is kept, the rest is T. `kind` tells how the
-/// rotation was found.
-ModeMatrix goal_modes(const ModeMatrix& fit, double linear_scale, double beta, RotationKind& kind);
+/// The same of its points' velocities.
+template <class Real>
+ModeMatrix fit_velocity_modes(const Cloud<Real>& cloud, const State<Real>& state, int pup,
+                              bool quadratic);
+
+/// The linear part of a fit: a multiple of the linear map that fits the rest offsets best.
+inline Eigen::Matrix3d linear_part(const ModeMatrix& fit) {
+  return fit.middleCols<kLinearModes>(1);
+}
+
+/// Coefficients of the goals for a fit and the rotation of its linear part: the mean is kept, the
+/// rest is T.
+ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, double linear_scale,
+                      double beta);
+
+/// Draws one pup's points by the share body.alpha towards the goals that `goal` describes.
+template <class Real>
+void draw_to_goals(const Params& params, const StepBody& body, bool quadratic,
+                   const Cloud<Real>& cloud, const ModeMatrix& goal, State<Real>& state, int pup);
+
+/// v <- v + share (goal - v) for one pup, where `goal` describes a velocity for each point.
+template <class Real>
+void draw_velocity(const Cloud<Real>& cloud, bool quadratic, const ModeMatrix& goal, double share,
+                   State<Real>& state, int pup);
 
 /// v <- v + h f, x <- x + h v for one pup.
 template <class Real>
 void predict(const Params& params, State<Real>& state, int pup);
 
-/// Draws one pup's points towards their goals, fitted with or without the quadratic modes. Returns
-/// how the rotation was found.
+/// Draws one pup's points towards their goals, fitted with or without the quadratic modes: fit,
+/// nearest rotation, goals, draw. Returns how the rotation was found.
 template <class Real>
-RotationKind match_shape(const Params& params, bool quadratic, const Cloud<Real>& cloud,
-                         State<Real>& state, int pup);
+RotationKind match_shape(const Params& params, const StepBody& body, bool quadratic,
+                         const Cloud<Real>& cloud, State<Real>& state, int pup);
 
 }  // namespace pupflow

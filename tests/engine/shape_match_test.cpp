@@ -72,10 +72,10 @@ TEST(ShapeMatch, GoalsAreThoseOfTheTextbook) {
   for (const double beta : {0.0, 0.3, 0.5, 0.9}) {
     const MatrixXd x = deformed(rest, random);
     const State<double> state = state_of(x);
-    RotationKind kind{};
-    const ModeMatrix goal =
-        goal_modes(fit_modes(cloud, state, 0, beta > 0), cloud.linear_scale, beta, kind);
-    EXPECT_EQ(kind, RotationKind::regular);
+    const ModeMatrix fit = fit_modes(cloud, state, 0, beta > 0);
+    const Rotation rotation = nearest_rotation(linear_part(fit));
+    const ModeMatrix goal = goal_modes(fit, rotation.matrix, cloud.linear_scale, beta);
+    EXPECT_EQ(rotation.kind, RotationKind::regular);
     const MatrixXd expected = textbook_goals(rest, x, beta);
     for (int i = 0; i < cloud.points; ++i) {
       Eigen::Vector3d g = x.row(0).transpose() + goal.col(kMeanMode);
@@ -112,7 +112,7 @@ TYPED_TEST(Goals, KeepTheCentreOfMass) {
   Params params;
   params.alpha = 1;  // points end on their goals
   const Eigen::Vector3d before = centre();
-  match_shape(params, true, cloud, state, 0);
+  match_shape(params, step_body(params), true, cloud, state, 0);
   EXPECT_LT((centre() - before).norm(), sizeof(TypeParam) == 4 ? 2e-7 : 1e-15);
 }
 
@@ -133,7 +133,7 @@ TEST(ShapeMatch, CloudsWithoutShapeStayFinite) {
       state.y[i] = p.y();
       state.z[i] = p.z();
     }
-    EXPECT_EQ(match_shape(Params{}, true, cloud, state, 0), expected);
+    EXPECT_EQ(match_shape(Params{}, step_body(Params{}), true, cloud, state, 0), expected);
     for (int i = 0; i < state.stride; ++i) {
       ASSERT_TRUE(std::isfinite(state.x[i]) && std::isfinite(state.y[i]) &&
                   std::isfinite(state.z[i]));

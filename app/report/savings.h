@@ -11,6 +11,8 @@
 
 namespace pupflow::report {
 
+class Report;
+
 /// How much of a litter was the same to the bit with and without a part.
 enum class Agreement {
   needed,            // nothing was forced, so nothing was compared
@@ -65,5 +67,9 @@ std::vector<io::Row> savings_rows(const Savings& savings);
 
 /// What the figures of the table are, why parts were left out, and which bits were compared: lines.
 std::vector<std::string> savings_notes(const Savings& savings);
+
+/// Puts a section on the page, with its CSV file savings.csv: five shipped scenes, what each leaves
+/// out, what that saves, and that no bit changes. Throws io::Failure, bad_numbers where one does.
+void savings_section(Report& report);
 
 }  // namespace pupflow::report

@@ -1,8 +1,8 @@
-#include "app/report/savings_section.h"
-
+// The section of the error report about what scenes leave out.
 #include <limits>
 
 #include "app/io/scene_file.h"
+#include "app/report/report.h"
 #include "app/report/savings.h"
 
 namespace pupflow::report {

@@ -107,15 +107,6 @@ TEST_F(Cli, OutWritesAFileAndForceReplacesIt) {
   EXPECT_EQ(pupflow({"params", "--out", "p.txt", "--force"}).code, 0);
 }
 
-TEST_F(Cli, ExplainTellsWhichStagesAreInAndWhy) {
-  const Outcome outcome = pupflow({"explain", "single", "--after", "3", "--quiet"});
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(outcome.out, testing::ContainsRegex("\nboundary +yes +[0-9.]+ +[a-z]"));
-  EXPECT_THAT(outcome.out, testing::ContainsRegex("\ncontact +no +- +[a-z]"));
-  EXPECT_THAT(outcome.out, testing::ContainsRegex("\nwhole step +[0-9.]+"));
-  EXPECT_THAT(outcome.out, HasSubstr("steps 4 to 203"));
-}
-
 TEST_F(Cli, AStandardOutputThatIsFullIsReported) {
   const Outcome outcome = test::run_program(
       "/bin/sh", {"-c", "exec \"$0\" params > /dev/full", PUPFLOW_PROGRAM}, scratch_.path(""));

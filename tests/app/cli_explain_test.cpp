@@ -1,0 +1,92 @@
+// pupflow explain: what a scene needs, what that costs, and what leaving out saves.
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "program.h"
+#include "tests/support/scratch.h"
+
+namespace pupflow {
+namespace {
+
+using test::Outcome;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+class CliExplain : public testing::Test {
+ protected:
+  Outcome pupflow(const std::vector<std::string>& arguments) const {
+    return test::run_program(PUPFLOW_PROGRAM, arguments, scratch_.folder().string());
+  }
+
+  /// What `explain SCENE --measure` prints.
+  std::string measured(const std::string& scene) const {
+    const Outcome outcome = pupflow({"explain", scene, "--measure", "--after", "150", "--quiet"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_THAT(outcome.out, Not(HasSubstr(" NO\n")));
+    return outcome.out;
+  }
+
+  test::Scratch scratch_;
+};
+
+/// A row of a stage that was left out: no time as planned, and the same bits with it.
+std::string left_out(const std::string& part) {
+  return "\n" + part + " +no +0 +-?[0-9.]+ +-?[0-9.]+ +whole state\n";
+}
+
+/// Characters of the longest line.
+std::size_t longest_line(const std::string& text) {
+  std::size_t longest = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const auto characters =
+        std::count_if(line.begin(), line.end(), [](char c) { return (c & '\xC0') != '\x80'; });
+    longest = std::max(longest, static_cast<std::size_t>(characters));
+  }
+  return longest;
+}
+
+TEST_F(CliExplain, TellsWhichStagesAreInAndWhy) {
+  const Outcome outcome = pupflow({"explain", "--set", "pups=1", "--after", "3", "--quiet"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, ContainsRegex("\nboundary +yes +[0-9.]+ +[#.]+ +[a-z]"));
+  EXPECT_THAT(outcome.out, ContainsRegex("\ncontact +no +- +[a-z]"));
+  EXPECT_THAT(outcome.out, ContainsRegex("\nwhole step +[0-9.]+"));
+  EXPECT_THAT(outcome.out, HasSubstr("steps 4 to 203"));
+  EXPECT_LE(longest_line(outcome.out), 102u);
+}
+
+TEST_F(CliExplain, MeasuresThatWhatIsLeftOutCostsNothingAndChangesNothing) {
+  const std::string single = measured("single");
+  EXPECT_THAT(single, ContainsRegex(left_out("contact")));
+  EXPECT_THAT(single, ContainsRegex(left_out("steering")));
+  EXPECT_THAT(single, ContainsRegex(left_out("observables")));
+  EXPECT_THAT(single, ContainsRegex("\nheat +yes +[0-9.]+ +[#.]+ +- +- +-\n"));
+  EXPECT_THAT(single, ContainsRegex("\nwhole step +[0-9.]+ +[0-9.]+ +-?[0-9.]+ +whole state\n"));
+  EXPECT_THAT(measured("no_heat"), ContainsRegex(left_out("heat")));
+  EXPECT_THAT(measured("rigid"), ContainsRegex(left_out("- quadratic terms")));
+  EXPECT_LE(longest_line(single), 100u);
+}
+
+TEST_F(CliExplain, SaysWhichBitsAreComparedWhereNothingDrives) {
+  const std::string text = measured("no_steering");
+  EXPECT_THAT(text, ContainsRegex("\nsteering +no +0 +[0-9.]+ +[0-9.]+ +all but headings\n"));
+  EXPECT_THAT(text, HasSubstr("Steering turns the headings of pups that have no drive"));
+}
+
+TEST_F(CliExplain, StopsWhereNumbersGoWrong) {
+  for (const bool measure : {false, true}) {
+    std::vector<std::string> call{"explain", "--set", "beta=1", "--after", "2000", "--quiet"};
+    if (measure) call.emplace_back("--measure");
+    const Outcome outcome = pupflow(call);
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, HasSubstr("step "));
+  }
+}
+
+}  // namespace
+}  // namespace pupflow

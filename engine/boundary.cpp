@@ -46,7 +46,7 @@ void apply_boundaries(const Params& params, State<Real>& state, int pup) {
   const Real far_y = std::max(std::abs(box.low[1]), std::abs(box.high[1]));
   if (!reaches_wall(far_x, far_y, r, arena * arena)) return;
   bool moved = false;
-  for (std::size_t i = row; i < row + state.stride; ++i) {
+  for (std::size_t i = row; i < row + state.points; ++i) {
     if (!reaches_wall(state.x[i], state.y[i], r, arena * arena)) continue;
     push_from_wall(h, i, state);
     moved = true;

@@ -27,15 +27,15 @@ std::vector<Eigen::Vector3d> cube_sphere(int face_points, double radius) {
   std::vector<Eigen::Vector3d> points;
   points.reserve(static_cast<std::size_t>(6) * face_points * face_points);
   const auto grid = [&](int i) { return (2 * i + 1.0) / face_points - 1; };
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double side : {1.0, -1.0}) {
+  for (const double side : {1.0, -1.0}) {
+    for (int axis = 0; axis < 3; ++axis) {
       for (int i = 0; i < face_points; ++i) {
         for (int j = 0; j < face_points; ++j) {
           Eigen::Vector3d on_cube;
-          on_cube[axis] = side;
+          on_cube[axis] = 1;
           on_cube[(axis + 1) % 3] = grid(i);
           on_cube[(axis + 2) % 3] = grid(j);
-          points.push_back(radius * cube_to_sphere(on_cube.x(), on_cube.y(), on_cube.z()));
+          points.push_back(side * radius * cube_to_sphere(on_cube.x(), on_cube.y(), on_cube.z()));
         }
       }
     }
@@ -47,7 +47,7 @@ template <class Real>
 Cloud<Real> make_cloud(const std::vector<Eigen::Vector3d>& rest) {
   Cloud<Real> cloud;
   cloud.points = static_cast<int>(rest.size());
-  cloud.stride = padded<Real>(cloud.points);
+  cloud.stride = stride_for<Real>(cloud.points);
   cloud.mode.assign(static_cast<std::size_t>(kModes) * cloud.stride, Real(0));
   std::array<double, kModes> square_sum{};
   for (const Eigen::Vector3d& q : rest) {

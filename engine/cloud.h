@@ -12,23 +12,22 @@
 #include <vector>
 
 #include "engine/aligned.h"
+#include "engine/modes.h"
 
 namespace pupflow {
 
-/// n = 6 k^2 points at rest on a sphere of radius `radius` round the origin, one per row, face by
-/// face. On each face of a cube the points sit at the centres of a k x k grid and go to the sphere
-/// by x' = x sqrt(1 - y^2/2 - z^2/2 + y^2 z^2/3) and its cyclic partners. Wilson 2017, Methods.
+/// n = 6 k^2 points at rest on a sphere of radius `radius` round the origin, face by face: three
+/// faces of a cube, then those opposite, so that point n/2 + i is the mirror image of point i
+/// through the centre, to the bit. On each face of a cube the points sit at the centres of a k x k
+/// grid and go to the sphere by x' = x sqrt(1 - y^2/2 - z^2/2 + y^2 z^2/3) and its cyclic partners.
+/// Wilson 2017, Methods.
 std::vector<Eigen::Vector3d> cube_sphere(int face_points, double radius);
-
-/// Rows of the mode table: the mean, three linear modes, five quadratic ones.
-constexpr int kMeanMode = 0, kLinearModes = 3, kQuadraticModes = 5;
-constexpr int kModes = 1 + kLinearModes + kQuadraticModes;
 
 /// The modes of a rest shape, ready for the kernels; shared by all pups of a litter.
 template <class Real>
 struct Cloud {
   int points = 0;
-  int stride = 0;  // points padded to whole packs; padding has weight 0 in every mode
+  int stride = 0;  // stride_for(points), lanes.h; padding has weight 0 in every mode
   /// Mode m at point i: mode[m * stride + i]. The mean mode is 1/n; sums over the points of the
   /// product of two other modes are 1 or 0.
   AlignedVector<Real> mode;

@@ -42,8 +42,8 @@ struct ContactSums {
   std::uint64_t* touching;  // bit i is set where candidate i has a contact
 };
 
-/// Arrays hold `stride` numbers, whole packs. xyz are three such rows; functions that say so leave
-/// the padding out.
+/// Arrays hold `stride` numbers (lanes.h). xyz are three such rows. Functions that take `points`
+/// leave the padding out; a cloud's second half mirrors the first (cloud.h).
 template <class Real>
 struct Kernels {
   /// Box round the first `points` points, its middle, and the largest distance from there. False
@@ -53,14 +53,15 @@ struct Kernels {
   /// v_z <- |v_z|, z <- r where z < r.
   void (*floor)(Real r, int stride, Real* z, Real* vz);
   /// v <- v + gain, x <- x + h v.
-  void (*predict)(Real h, Real gain, int stride, Real* x, Real* v);
+  void (*predict)(Real h, Real gain, int points, Real* x, Real* v);
   /// sums[m] = sum over points of mode m times (xyz - first point), for modes 0 ... count - 1 of
   /// `modes`.
-  void (*fit)(const Real* modes, int count, int stride, const Real* const xyz[3], Real sums[][3]);
+  void (*fit)(const Real* modes, int count, int points, int stride, const Real* const xyz[3],
+              Real sums[][3]);
   /// With d = sum of goal[m] mode[m] - (x - x[0]): x <- x + position_share d, v <- v +
   /// velocity_share d.
-  void (*pull)(const Real* modes, int count, int stride, const Real* goal, Real position_share,
-               Real velocity_share, Real* x, Real* v);
+  void (*pull)(const Real* modes, int count, int points, int stride, const Real* goal,
+               Real position_share, Real velocity_share, Real* x, Real* v);
   /// Sum of a[i] b[i].
   Real (*dot)(const Real* a, const Real* b, int stride);
   /// Sets the bits of `words` (as many as `points` points need) where cosine (y - cy) - sine (x -

@@ -2,8 +2,10 @@
 // after defining PUPFLOW_KERNELS as the name of its table.
 #include <bit>
 #include <limits>
+#include <type_traits>
 
 #include "engine/kernels.h"
+#include "engine/modes.h"
 #include "engine/pack.h"
 #include "engine/point_set.h"
 
@@ -14,7 +16,7 @@ namespace {
 /// reaches back over the one before it, so that padding stays out; only clouds smaller than a pack
 /// bring theirs.
 template <class Real, class Visit>
-void for_whole_packs(int points, Visit visit) {
+PUPFLOW_INLINE inline void for_whole_packs(int points, Visit visit) {
   const int last = points > kLanes<Real> ? points - kLanes<Real> : 0;
   for (int i = 0; i < last; i += kLanes<Real>) visit(i);
   visit(last);
@@ -27,7 +29,7 @@ bool bounds(const Real* const xyz[3], int points, Real low[3], Real high[3], Rea
   P stays_zero = P::zero();  // x - x is NaN for infinite and NaN
   for (int axis = 0; axis < 3; ++axis) {
     P least = P::load(xyz[axis]), greatest = least;
-    for_whole_packs<Real>(points, [&](int i) {
+    for_whole_packs<Real>(points, [&](int i) PUPFLOW_INLINE {
       const P value = P::load(xyz[axis] + i);
       least = min(value, least);
       greatest = max(value, greatest);
@@ -39,7 +41,7 @@ bool bounds(const Real* const xyz[3], int points, Real low[3], Real high[3], Rea
   }
   P furthest = P::zero();
   const P cx = P::broadcast(centre[0]), cy = P::broadcast(centre[1]), cz = P::broadcast(centre[2]);
-  for_whole_packs<Real>(points, [&](int i) {
+  for_whole_packs<Real>(points, [&](int i) PUPFLOW_INLINE {
     const P dx = P::load(xyz[0] + i) - cx, dy = P::load(xyz[1] + i) - cy,
             dz = P::load(xyz[2] + i) - cz;
     furthest = max(dx * dx + dy * dy + dz * dz, furthest);
@@ -60,74 +62,130 @@ void floor(Real r, int stride, Real* z, Real* vz) {
   }
 }
 
+/// The lanes of `value` that are among the first `count`, and `other` in the rest.
 template <class Real>
-void predict(Real h, Real gain, int stride, Real* x, Real* v) {
-  using P = Pack<Real>;
-  const P step = P::broadcast(h), more = P::broadcast(gain);
-  for (int i = 0; i < stride; i += kLanes<Real>) {
-    const P faster = P::load(v + i) + more;
-    faster.store(v + i);
-    (P::load(x + i) + step * faster).store(x + i);
-  }
+PUPFLOW_INLINE inline Pack<Real> first_lanes(int count, const Pack<Real>& value,
+                                             const Pack<Real>& other) {
+  alignas(kPackBytes) static constexpr Real kRamp[] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                       8, 9, 10, 11, 12, 13, 14, 15};
+  return select_less(Pack<Real>::load(kRamp), Pack<Real>::broadcast(static_cast<Real>(count)),
+                     value, other);
 }
 
-/// Several modes at a time share the loads; how many does not change a bit of any sum.
-template <int Count, class Real>
-void fit_some(const Real* modes, int stride, const Real* const xyz[3], Real sums[][3]) {
+/// Visits the packs that `count` numbers fill: `visit(i, whole)`. The last may not be `whole`.
+template <class Real, class Visit>
+PUPFLOW_INLINE inline void for_packs(int count, Visit visit) {
+  int i = 0;
+  for (; i + kLanes<Real> <= count; i += kLanes<Real>) visit(i, std::true_type());
+  if (i < count) visit(i, std::false_type());
+}
+
+template <class Real>
+void predict(Real h, Real gain, int points, Real* x, Real* v) {
   using P = Pack<Real>;
+  const P step = P::broadcast(h), more = P::broadcast(gain);
+  for_packs<Real>(points, [&](int i, auto whole) PUPFLOW_INLINE {
+    const P here = P::load(x + i), speed = P::load(v + i);
+    const P faster = speed + more, moved = here + step * faster;
+    (whole ? faster : first_lanes(points - i, faster, speed)).store(v + i);
+    (whole ? moved : first_lanes(points - i, moved, here)).store(x + i);
+  });
+}
+
+/// Sums of modes `rows[0]` ... times position. Points come in pairs: number half + i mirrors number
+/// i (cloud.h), so one pass over the first half and, at the same places, the second will do. Even
+/// modes have the same value at mirrored points, so they see the sum of both; odd ones have
+/// opposite values and see the difference. Several modes at a time share the loads; how many does
+/// not change a bit of any sum.
+template <int Count, bool Odd, class Real>
+void fit_some(const Real* const* rows, int half, const Real* const xyz[3], Real* const* sums) {
+  using P = Pack<Real>;
+  const P zero = P::zero();
   P sum[Count][3];
-  for (auto& mode : sum) mode[0] = mode[1] = mode[2] = P::zero();
-  const P ox = P::broadcast(xyz[0][0]), oy = P::broadcast(xyz[1][0]), oz = P::broadcast(xyz[2][0]);
-  for (int i = 0; i < stride; i += kLanes<Real>) {
-    const P x = P::load(xyz[0] + i) - ox;
-    const P y = P::load(xyz[1] + i) - oy;
-    const P z = P::load(xyz[2] + i) - oz;
-    PUPFLOW_UNROLL for (int m = 0; m < Count; ++m) {
-      const P mode = P::load(modes + m * stride + i);
-      sum[m][0] += mode * x;
-      sum[m][1] += mode * y;
-      sum[m][2] += mode * z;
+  for (auto& mode : sum) mode[0] = mode[1] = mode[2] = zero;
+  const P origin[3] = {P::broadcast(xyz[0][0]), P::broadcast(xyz[1][0]), P::broadcast(xyz[2][0])};
+  for_packs<Real>(half, [&](int i, auto whole) PUPFLOW_INLINE {
+    P value[3];
+    PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) {
+      const P first = P::load(xyz[axis] + i), second = P::load(xyz[axis] + half + i);
+      value[axis] = Odd ? first - second : (first - origin[axis]) + (second - origin[axis]);
+      if (!whole) value[axis] = first_lanes(half - i, value[axis], zero);
     }
-  }
+    PUPFLOW_UNROLL for (int m = 0; m < Count; ++m) {
+      const P mode = P::load(rows[m] + i);
+      PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) sum[m][axis] += mode * value[axis];
+    }
+  });
   for (int m = 0; m < Count; ++m) {
     for (int axis = 0; axis < 3; ++axis) sums[m][axis] = sum[m][axis].sum();
   }
 }
 
-template <class Real>
-void fit(const Real* modes, int count, int stride, const Real* const xyz[3], Real sums[][3]) {
+/// All `count` modes of one parity.
+template <bool Odd, class Real>
+void fit_parity(const Real* const* rows, int count, int half, const Real* const xyz[3],
+                Real* const* sums) {
   constexpr int kTogether = kNativeBytes == 64 ? 3 : kNativeBytes == 32 ? 2 : 1;  // by registers
   int m = 0;
   for (; m + kTogether <= count; m += kTogether) {
-    fit_some<kTogether>(modes + m * stride, stride, xyz, sums + m);
+    fit_some<kTogether, Odd>(rows + m, half, xyz, sums + m);
   }
-  for (; m < count; ++m) fit_some<1>(modes + m * stride, stride, xyz, sums + m);
-}
-
-template <int Count, class Real>
-void pull_some(const Real* modes, int stride, const Real* goal, Real position_share,
-               Real velocity_share, Real* x, Real* v) {
-  using P = Pack<Real>;
-  const P xs = P::broadcast(position_share), vs = P::broadcast(velocity_share);
-  const P origin = P::broadcast(x[0]), centre = P::broadcast(goal[0]);
-  for (int i = 0; i < stride; i += kLanes<Real>) {
-    const P here = P::load(x + i);
-    P d = centre - (here - origin);
-    PUPFLOW_UNROLL for (int m = 1; m < Count; ++m) {
-      d += P::broadcast(goal[m]) * P::load(modes + m * stride + i);
-    }
-    (here + xs * d).store(x + i);
-    (P::load(v + i) + vs * d).store(v + i);
-  }
+  for (; m < count; ++m) fit_some<1, Odd>(rows + m, half, xyz, sums + m);
 }
 
 template <class Real>
-void pull(const Real* modes, int count, int stride, const Real* goal, Real position_share,
-          Real velocity_share, Real* x, Real* v) {
-  if (count == 4) {
-    pull_some<4>(modes, stride, goal, position_share, velocity_share, x, v);
+void fit(const Real* modes, int count, int points, int stride, const Real* const xyz[3],
+         Real sums[][3]) {
+  const Real* row[kModes];
+  for (int m = 0; m < count; ++m) row[m] = modes + m * stride;
+  const int half = points / 2;
+  const Real* const odd[] = {row[1], row[2], row[3]};
+  Real* const odd_sums[] = {sums[1], sums[2], sums[3]};
+  fit_parity<true>(odd, kLinearModes, half, xyz, odd_sums);
+  const Real* even[1 + kQuadraticModes] = {row[kMeanMode]};
+  Real* even_sums[1 + kQuadraticModes] = {sums[kMeanMode]};
+  int evens = 1;
+  for (int m = 1 + kLinearModes; m < count; ++m, ++evens) {
+    even[evens] = row[m];
+    even_sums[evens] = sums[m];
+  }
+  fit_parity<false>(even, evens, half, xyz, even_sums);
+}
+
+template <int Count, class Real>
+void pull_some(const Real* modes, int half, int stride, const Real* goal, Real position_share,
+               Real velocity_share, Real* x, Real* v) {
+  using P = Pack<Real>;
+  const P xs = P::broadcast(position_share), vs = P::broadcast(velocity_share);
+  const P origin = P::broadcast(x[0]), centre = P::broadcast(goal[kMeanMode]);
+  for_packs<Real>(half, [&](int i, auto whole) PUPFLOW_INLINE {
+    P odd = P::broadcast(goal[1]) * P::load(modes + stride + i), even = centre;
+    PUPFLOW_UNROLL for (int m = 2; m <= kLinearModes; ++m) {
+      odd += P::broadcast(goal[m]) * P::load(modes + m * stride + i);
+    }
+    PUPFLOW_UNROLL for (int m = 1 + kLinearModes; m < Count; ++m) {
+      even += P::broadcast(goal[m]) * P::load(modes + m * stride + i);
+    }
+    const auto draw = [&](const P& target, int at, auto all) PUPFLOW_INLINE {
+      const P here = P::load(x + at), d = target - (here - origin);
+      const P moved = here + xs * d;
+      (all ? moved : first_lanes(half - i, moved, here)).store(x + at);
+      const P speed = P::load(v + at), faster = speed + vs * d;  // after the store: v may be x
+      (all ? faster : first_lanes(half - i, faster, speed)).store(v + at);
+    };
+    draw(even + odd, i, whole);
+    draw(even - odd, half + i, whole);
+  });
+}
+
+template <class Real>
+void pull(const Real* modes, int count, int points, int stride, const Real* goal,
+          Real position_share, Real velocity_share, Real* x, Real* v) {
+  if (count == 1 + kLinearModes) {
+    pull_some<1 + kLinearModes>(modes, points / 2, stride, goal, position_share, velocity_share, x,
+                                v);
   } else {
-    pull_some<9>(modes, stride, goal, position_share, velocity_share, x, v);
+    pull_some<kModes>(modes, points / 2, stride, goal, position_share, velocity_share, x, v);
   }
 }
 
@@ -141,13 +199,13 @@ Real dot(const Real* a, const Real* b, int stride) {
 
 /// Bits of the lanes from `i` on that are points, of which there are `points`.
 template <class Real>
-std::uint32_t point_lanes(int i, int points) {
+PUPFLOW_INLINE inline std::uint32_t point_lanes(int i, int points) {
   const int left = points - i;
   return left >= kLanes<Real> ? ~0u : (1u << left) - 1;
 }
 
 /// Sets bits i ... of `words`, which are clear so far. Packs never straddle a word.
-void set_bits(std::uint64_t* words, int i, std::uint32_t bits) {
+PUPFLOW_INLINE inline void set_bits(std::uint64_t* words, int i, std::uint32_t bits) {
   words[i / 64] |= static_cast<std::uint64_t>(bits) << (i % 64);
 }
 
@@ -221,7 +279,7 @@ void box(const Candidates<Real>& candidates, Real low[3], Real high[3]) {
       continue;
     }
     P least = P::load(rows[axis]), greatest = least;
-    for_whole_packs<Real>(count, [&](int i) {
+    for_whole_packs<Real>(count, [&](int i) PUPFLOW_INLINE {
       const P value = P::load(rows[axis] + i);
       least = min(value, least);
       greatest = max(value, greatest);
@@ -254,7 +312,7 @@ void mark_touching(const ContactSums<Real>& sums, int count) {
 }
 
 template <class Real>
-void add(Real* to, const Pack<Real>& value) {
+PUPFLOW_INLINE inline void add(Real* to, const Pack<Real>& value) {
   (Pack<Real>::load(to) + value).store(to);
 }
 

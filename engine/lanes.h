@@ -17,4 +17,11 @@ constexpr int padded(int count) {
   return (count + kLanes<Real> - 1) / kLanes<Real> * kLanes<Real>;
 }
 
+/// Room for `points` points of which the second half mirrors the first: whole packs, also when they
+/// are counted from the middle.
+template <class Real>
+constexpr int stride_for(int points) {
+  return padded<Real>(points / 2 + padded<Real>(points / 2));
+}
+
 }  // namespace pupflow

@@ -21,6 +21,9 @@ namespace {
 #define PUPFLOW_UNROLL _Pragma("GCC unroll 16")
 #endif
 
+// Packs live in registers, so what handles them must not become a call.
+#define PUPFLOW_INLINE __attribute__((always_inline))
+
 #if defined(__AVX512F__)
 constexpr int kNativeBytes = 64;
 #elif defined(__AVX__)
@@ -30,7 +33,7 @@ constexpr int kNativeBytes = 16;
 #endif
 
 template <class Real>
-Real root(Real value) {
+PUPFLOW_INLINE inline Real root(Real value) {
   if constexpr (sizeof(Real) == 4) {
     return __builtin_sqrtf(value);
   } else {
@@ -61,57 +64,57 @@ struct Pack {
   static constexpr int kNativeLanes = kNativeBytes / static_cast<int>(sizeof(Real));
   Native part[kParts];
 
-  static Pack load(const Real* from) {  // any alignment
+  PUPFLOW_INLINE static Pack load(const Real* from) {  // any alignment
     Pack p;
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) {
       p.part[i] = *reinterpret_cast<const Unaligned*>(from + i * kNativeLanes);
     }
     return p;
   }
-  void store(Real* to) const {
+  PUPFLOW_INLINE void store(Real* to) const {
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) {
       *reinterpret_cast<Unaligned*>(to + i * kNativeLanes) = part[i];
     }
   }
 
-  static Pack broadcast(Real value) {
+  PUPFLOW_INLINE static Pack broadcast(Real value) {
     Pack p;
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) p.part[i] = Native{} + value;
     return p;
   }
-  static Pack zero() {
+  PUPFLOW_INLINE static Pack zero() {
     Pack p;
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) p.part[i] = Native{};
     return p;
   }
 
-  friend Pack operator+(Pack a, const Pack& b) {
+  PUPFLOW_INLINE friend Pack operator+(Pack a, const Pack& b) {
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] += b.part[i];
     return a;
   }
-  friend Pack operator-(Pack a, const Pack& b) {
+  PUPFLOW_INLINE friend Pack operator-(Pack a, const Pack& b) {
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] -= b.part[i];
     return a;
   }
-  friend Pack operator*(Pack a, const Pack& b) {
+  PUPFLOW_INLINE friend Pack operator*(Pack a, const Pack& b) {
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] *= b.part[i];
     return a;
   }
-  Pack& operator+=(const Pack& b) { return *this = *this + b; }
+  PUPFLOW_INLINE Pack& operator+=(const Pack& b) { return *this = *this + b; }
 
-  friend Pack min(Pack a, const Pack& b) {  // b where a is not less
+  PUPFLOW_INLINE friend Pack min(Pack a, const Pack& b) {  // b where a is not less
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] =
         a.part[i] < b.part[i] ? a.part[i] : b.part[i];
     return a;
   }
-  friend Pack max(Pack a, const Pack& b) {  // b where a is not greater
+  PUPFLOW_INLINE friend Pack max(Pack a, const Pack& b) {  // b where a is not greater
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] =
         a.part[i] > b.part[i] ? a.part[i] : b.part[i];
     return a;
   }
 
   /// `yes` in the lanes where a is less than b, else `no`.
-  friend Pack select_less(const Pack& a, const Pack& b, Pack yes, const Pack& no) {
+  PUPFLOW_INLINE friend Pack select_less(const Pack& a, const Pack& b, Pack yes, const Pack& no) {
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) {
       yes.part[i] = a.part[i] < b.part[i] ? yes.part[i] : no.part[i];
     }
@@ -119,7 +122,7 @@ struct Pack {
   }
 
   /// Bit i is set where lane i of `a` is less than lane i of `b`.
-  friend std::uint32_t less_bits(const Pack& a, const Pack& b) {
+  PUPFLOW_INLINE friend std::uint32_t less_bits(const Pack& a, const Pack& b) {
     std::uint32_t bits = 0;
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) {
       bits |= native_less_bits(a.part[i], b.part[i]) << (i * kNativeLanes);
@@ -128,17 +131,17 @@ struct Pack {
   }
 
   /// Sum, least and greatest of the lanes; halves are folded onto each other, one defined order.
-  Real sum() const {
+  PUPFLOW_INLINE Real sum() const {
     return fold([](auto a, auto b) { return a + b; });
   }
-  Real least() const {
+  PUPFLOW_INLINE Real least() const {
     return fold([](auto a, auto b) { return a < b ? a : b; });
   }
-  Real greatest() const {
+  PUPFLOW_INLINE Real greatest() const {
     return fold([](auto a, auto b) { return a > b ? a : b; });
   }
 
-  friend Pack sqrt(Pack a) {
+  PUPFLOW_INLINE friend Pack sqrt(Pack a) {
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] = native_sqrt(a.part[i]);
     return a;
   }
@@ -146,7 +149,7 @@ struct Pack {
  private:
   /// Lane i of the upper half goes onto lane i of the lower half until one lane is left.
   template <class Operation>
-  Real fold(Operation operation) const {
+  PUPFLOW_INLINE Real fold(Operation operation) const {
     Pack p = *this;
     PUPFLOW_UNROLL for (int half = kParts / 2; half > 0; half /= 2) {
       PUPFLOW_UNROLL for (int i = 0; i < half; ++i) {
@@ -157,7 +160,7 @@ struct Pack {
   }
 
   template <class Vector, class Operation>
-  static Real fold_halves(Vector v, Operation operation) {
+  PUPFLOW_INLINE static Real fold_halves(Vector v, Operation operation) {
     constexpr int kCount = sizeof(Vector) / sizeof(Real);
     if constexpr (kCount == 2) {
       return operation(v[0], v[1]);
@@ -167,7 +170,7 @@ struct Pack {
     }
   }
   template <class Half, class Vector>
-  static Half lower_half(Vector v) {
+  PUPFLOW_INLINE static Half lower_half(Vector v) {
     if constexpr (sizeof(Half) / sizeof(Real) == 8) {
       return __builtin_shufflevector(v, v, 0, 1, 2, 3, 4, 5, 6, 7);
     } else if constexpr (sizeof(Half) / sizeof(Real) == 4) {
@@ -177,7 +180,7 @@ struct Pack {
     }
   }
   template <class Half, class Vector>
-  static Half upper_half(Vector v) {
+  PUPFLOW_INLINE static Half upper_half(Vector v) {
     if constexpr (sizeof(Half) / sizeof(Real) == 8) {
       return __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15);
     } else if constexpr (sizeof(Half) / sizeof(Real) == 4) {
@@ -187,7 +190,7 @@ struct Pack {
     }
   }
 
-  static Native native_sqrt(Native a) {
+  PUPFLOW_INLINE static Native native_sqrt(Native a) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(Real) == 4) {
       return Native(_mm512_sqrt_ps(__m512(a)));
@@ -212,7 +215,7 @@ struct Pack {
 #endif
   }
 
-  static std::uint32_t native_less_bits(Native a, Native b) {
+  PUPFLOW_INLINE static std::uint32_t native_less_bits(Native a, Native b) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(Real) == 4) {
       return _mm512_cmp_ps_mask(__m512(a), __m512(b), _CMP_LT_OQ);
@@ -242,7 +245,7 @@ struct Pack {
 /// Writes the lanes of `from` whose bits are set side by side to `to`; up to a whole pack of what
 /// lies there may be overwritten.
 template <class Real>
-void compress(const Real* from, std::uint32_t bits, Real* to) {
+PUPFLOW_INLINE inline void compress(const Real* from, std::uint32_t bits, Real* to) {
 #if defined(__AVX512F__)
   if constexpr (sizeof(Real) == 4) {
     const auto mask = static_cast<__mmask16>(bits);
@@ -258,7 +261,7 @@ void compress(const Real* from, std::uint32_t bits, Real* to) {
 
 /// Writes `first` + i for each set bit i of `bits`, of which 16 count, side by side to `to`; up to
 /// 64 bytes of what lies there may be overwritten.
-void compress_index(int first, std::uint32_t bits, int* to) {
+PUPFLOW_INLINE inline void compress_index(int first, std::uint32_t bits, int* to) {
 #if defined(__AVX512F__)
   const __m512i ramp = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
   const __m512i index = _mm512_add_epi32(ramp, _mm512_set1_epi32(first));
@@ -269,7 +272,7 @@ void compress_index(int first, std::uint32_t bits, int* to) {
 }
 
 /// Bit i is set where from[i] is negative, for 16 numbers.
-std::uint32_t sign_bits(const int* from) {
+PUPFLOW_INLINE inline std::uint32_t sign_bits(const int* from) {
 #if defined(__SSE2__)
   std::uint32_t bits = 0;
   PUPFLOW_UNROLL for (int i = 0; i < 4; ++i) {

@@ -9,7 +9,15 @@
 namespace pupflow {
 namespace {
 
-constexpr double kLargestVolumeFactor = 3;
+/// How much the volume factor may enlarge a fit: 3 times, but near beta = 1 only 1/beta times, from
+/// beta = 0.95 on. A fit comes back in the goals as beta times itself; with factor * beta <= 1 a
+/// body that something keeps flat cannot grow in its other directions by feeding on its own size.
+double largest_volume_factor(double beta) {
+  constexpr double kUsual = 3, kBegin = 0.9, kEnd = 0.95;
+  if (beta <= kBegin) return kUsual;
+  const double share = std::min((beta - kBegin) / (kEnd - kBegin), 1.0);
+  return kUsual + share * (1 / beta - kUsual);
+}
 
 double determinant(const Eigen::Matrix3d& a) {
   return a(0, 0) * (a(1, 1) * a(2, 2) - a(1, 2) * a(2, 1)) -
@@ -17,12 +25,11 @@ double determinant(const Eigen::Matrix3d& a) {
          a(0, 2) * (a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0));
 }
 
-double volume_factor(double det) {
-  constexpr double kSmallest =
-      1 / (kLargestVolumeFactor * kLargestVolumeFactor * kLargestVolumeFactor);
+double volume_factor(double det, double beta) {
+  const double largest = largest_volume_factor(beta);
+  const double smallest = 1 / (largest * largest * largest);
   const double size = std::abs(det);
-  return size > kSmallest ? std::min(inverse_cbrt_fixed(size), kLargestVolumeFactor)
-                          : kLargestVolumeFactor;
+  return size > smallest ? std::min(inverse_cbrt_fixed(size), largest) : largest;
 }
 
 int mode_count(bool quadratic) {
@@ -58,7 +65,7 @@ ModeMatrix fit(const Cloud<Real>& cloud, const State<Real>& state,
   for (std::size_t axis = 0; axis < 3; ++axis) xyz[axis] = component[axis]->data() + state.row(pup);
   const int modes = mode_count(quadratic);
   Real sums[kModes][3];
-  state.kernels->fit(cloud.mode.data(), modes, cloud.stride, xyz, sums);
+  state.kernels->fit(cloud.mode.data(), modes, cloud.points, cloud.stride, xyz, sums);
   ModeMatrix result = ModeMatrix::Zero();
   for (int m = 0; m < modes; ++m) {
     for (int axis = 0; axis < 3; ++axis) result(axis, m) = static_cast<double>(sums[m][axis]);
@@ -84,7 +91,7 @@ ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, do
   ModeMatrix goal = beta * fit;
   // The fitted linear map of rest offsets is linear / linear_scale, the rotation's is R.
   Eigen::Matrix3d map = (beta / linear_scale) * linear_part(fit) + (1 - beta) * rotation;
-  if (beta > 0) map *= volume_factor(determinant(map));
+  if (beta > 0) map *= volume_factor(determinant(map), beta);
   goal.middleCols<kLinearModes>(1) = linear_scale * map;
   goal.col(kMeanMode) = fit.col(kMeanMode);
   return goal;
@@ -100,7 +107,7 @@ void predict(const Params& params, State<Real>& state, int pup) {
   }
   for (int axis = 0; axis < 3; ++axis) {
     state.kernels->predict(static_cast<Real>(params.dt), static_cast<Real>(params.dt * push[axis]),
-                           state.stride, position_row(state, axis, pup),
+                           state.points, position_row(state, axis, pup),
                            velocity_row(state, axis, pup));
   }
 }
@@ -113,8 +120,8 @@ void draw_to_goals(const Params& params, const StepBody& body, bool quadratic,
   const Real velocity_share = static_cast<Real>(body.alpha / params.dt);
   for (int axis = 0; axis < 3; ++axis) {
     const ModeRow<Real> row(goal, axis);
-    state.kernels->pull(cloud.mode.data(), mode_count(quadratic), cloud.stride, row.value,
-                        position_share, velocity_share, position_row(state, axis, pup),
+    state.kernels->pull(cloud.mode.data(), mode_count(quadratic), cloud.points, cloud.stride,
+                        row.value, position_share, velocity_share, position_row(state, axis, pup),
                         velocity_row(state, axis, pup));
   }
 }
@@ -125,8 +132,8 @@ void draw_velocity(const Cloud<Real>& cloud, bool quadratic, const ModeMatrix& g
   for (int axis = 0; axis < 3; ++axis) {
     const ModeRow<Real> row(goal, axis);
     Real* v = velocity_row(state, axis, pup);
-    state.kernels->pull(cloud.mode.data(), mode_count(quadratic), cloud.stride, row.value,
-                        static_cast<Real>(share), Real(0), v, v);
+    state.kernels->pull(cloud.mode.data(), mode_count(quadratic), cloud.points, cloud.stride,
+                        row.value, static_cast<Real>(share), Real(0), v, v);
   }
 }
 

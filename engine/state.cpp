@@ -13,7 +13,7 @@ State<Real> make_state(int pups, int points, InstructionSet set) {
   state.kernels = &kernels_for<Real>(set);
   state.pups = pups;
   state.points = points;
-  state.stride = padded<Real>(points);
+  state.stride = stride_for<Real>(points);
   for (auto* component : {&state.x, &state.y, &state.z, &state.vx, &state.vy, &state.vz}) {
     component->assign(state.row(pups), Real(0));
   }

@@ -34,13 +34,12 @@ struct Bounds {
 
 /// Everything that the future of a litter depends on, and what the last step found out. Point i of
 /// pup j is element j * stride + i of each component. Elements from `points` to `stride` are
-/// padding: they have no weight anywhere, shape matching draws them to the pup's centre, and they
-/// stay finite.
+/// padding: finite, and of no weight anywhere.
 template <class Real>
 struct State {
   int pups = 0;
   int points = 0;  // per pup
-  int stride = 0;  // points padded to whole packs
+  int stride = 0;  // stride_for(points), lanes.h
   AlignedVector<Real> x, y, z;
   AlignedVector<Real> vx, vy, vz;
   std::vector<Bounds<Real>> bounds;  // one per pup

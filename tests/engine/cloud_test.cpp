@@ -22,6 +22,14 @@ TEST(Cloud, PointsSitOnTheSphere) {
   }
 }
 
+TEST(Cloud, TheSecondHalfMirrorsTheFirst) {
+  for (const int k : {2, 3, 7, 32}) {
+    const auto rest = cube_sphere(k, 0.25);
+    const std::size_t half = rest.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) ASSERT_EQ(rest[half + i], Eigen::Vector3d(-rest[i]));
+  }
+}
+
 TEST(Cloud, SpacingIsAsEvenAsMeasured) {
   const auto rest = cube_sphere(7, 0.25);
   double sum = 0, least = 1, greatest = 0;

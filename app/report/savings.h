@@ -47,7 +47,7 @@ struct Savings {
   std::int64_t first = 0, last = 0;  // the steps that were measured
   std::vector<Part> parts;           // in the order of a step; a part of a stage after its stage
   double planned_step = 0, full_step = 0;  // a whole step as planned, and with everything forced in
-  double saved = 0;                        // median difference of the two, over steps taken in turn
+  double saved = 0;                        // median difference of the two, step by step
   Agreement agreement{};                   // with everything forced in
   double clock = 0;                        // what reading the clock adds to each figure
   std::uint64_t hash = 0;                  // of the whole state after `last`, as planned

@@ -190,6 +190,20 @@ const std::vector<Omission> kOmissions{
        p.beta = 0;
      },
      quadratic},
+    {"rigid_in_finer_steps",
+     [](Params& p) {
+       p.beta = 0;
+       p.dt = 0.004;
+       p.refinement = Refinement::consistent;
+     },
+     quadratic},
+    {"no_goals_in_finer_steps",
+     [](Params& p) {
+       p.alpha = 0;
+       p.dt = 0.004;
+       p.refinement = Refinement::consistent;
+     },
+     all_of_shape_match},
     {"no_goals", [](Params& p) { p.alpha = 0; }, shape_match},
     {"no_goals_quadratic", [](Params& p) { p.alpha = 0; }, all_of_shape_match},
     {"no_goals_rigid",
@@ -288,6 +302,8 @@ TEST(Plan, WhateverIsSwitchedOffLeavingOutChangesNoBit) {
     p.ta = 0.2;
     p.heading = off % 2 == 0 ? Heading::course : Heading::body;
     p.precision = off % 3 == 0 ? Precision::float_ : Precision::double_;
+    p.refinement = off % 5 == 0 ? Refinement::consistent : Refinement::naive;
+    p.dt = off % 5 == 0 ? 0.005 : 0.01;
     for (std::size_t i = 0; i < std::size(switches); ++i) {
       if ((off >> i & 1) != 0) p.*switches[i] = 0;
     }

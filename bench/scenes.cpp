@@ -1,6 +1,7 @@
 #include "bench/scenes.h"
 
 #include <cmath>
+#include <deque>
 #include <stdexcept>
 
 namespace pupflow::bench {
@@ -31,6 +32,19 @@ Simulation after(const Params& params, std::int64_t steps) {
   const Status status = simulation.run(steps);
   if (!status.ok()) throw std::runtime_error(status.message());
   return simulation;
+}
+
+const Simulation& settled(const Params& params) {
+  static std::deque<Simulation> litters;
+  for (const Simulation& litter : litters) {
+    if (litter.params() == params) return litter;
+  }
+  litters.push_back(after(params, kSettled));
+  return litters.back();
+}
+
+const char* precision_name(Precision precision) {
+  return precision == Precision::float_ ? "float" : "double";
 }
 
 }  // namespace pupflow::bench

@@ -18,4 +18,10 @@ Params crowd(int pups, Precision precision);
 /// `params` after `steps` steps. Throws std::runtime_error on a bad status.
 Simulation after(const Params& params, std::int64_t steps);
 
+/// `params` after kSettled steps; computed once and kept.
+const Simulation& settled(const Params& params);
+
+/// "float" or "double".
+const char* precision_name(Precision precision);
+
 }  // namespace pupflow::bench

@@ -41,11 +41,11 @@ Litters<Real> make_litters() {
   const std::string name = single ? "float" : "double";
   Params stiff = huddling(precision);
   stiff.beta = 0;
-  Simulation huddle = after(huddling(precision), kSettled);
+  Simulation huddle = settled(huddling(precision));
   Litters<Real> litters{name,
                         {name + ", huddling", huddle, {}},
-                        {name + ", dispersed", after(dispersed(precision), kSettled), {}},
-                        {name + ", huddling, β = 0", after(stiff, kSettled), {}},
+                        {name + ", dispersed", settled(dispersed(precision)), {}},
+                        {name + ", huddling, β = 0", settled(stiff), {}},
                         TightLitter<Real>(huddle.snapshot()),
                         {},
                         {}};

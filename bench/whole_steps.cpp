@@ -18,7 +18,7 @@ constexpr int kBaselineStates = 8;   // of these steps, from which the baselines
 
 /// States of the huddling litter over the steps on which the engine is measured.
 std::vector<Snapshot> baseline_states(Precision precision) {
-  Simulation simulation = after(huddling(precision), kSettled);
+  Simulation simulation = settled(huddling(precision));
   std::vector<Snapshot> states;
   for (int i = 0; i < kBaselineStates; ++i) {
     simulation.run(kMeasuredSteps / kBaselineStates);
@@ -88,7 +88,7 @@ void add_baseline(Whole& whole, const std::string& name, const std::vector<Snaps
 }
 
 void add_engine(Whole& whole, const std::string& name, Precision precision) {
-  const Simulation start = after(huddling(precision), kSettled);
+  const Simulation start = settled(huddling(precision));
   Simulation end = start;
   step_time(end, kMeasuredSteps);
   whole.contenders.push_back({name, [=] {

@@ -1,0 +1,35 @@
+#include "bench/sitting.h"
+
+#include "app/context/headless.h"
+#include "app/pictures/studio.h"
+
+namespace pupflow::bench {
+namespace {
+
+std::unique_ptr<context::Context> headless() {
+  context::ContextReport report;
+  return context::make_headless(report);
+}
+
+}  // namespace
+
+Sitting::Sitting()
+    : context_(headless()),
+      scale_("viridis", 0, 1),
+      camera_(pictures::framed_camera("orbit:30,35", huddling(Precision::float_),
+                                      static_cast<double>(kPictureWidth) / kPictureHeight)) {
+  target_.resize(kPictureWidth, kPictureHeight);
+}
+
+void Sitting::list(const Simulation& simulation) {
+  list_.update(simulation, scale_, camera_);
+}
+
+void Sitting::draw(int supersample) {
+  renderer_.upload(list_);
+  target_.bind();
+  renderer_.draw(camera_, {0, 0, kPictureWidth, kPictureHeight}, supersample);
+  glFinish();
+}
+
+}  // namespace pupflow::bench

@@ -1,0 +1,41 @@
+// A litter before a camera.
+#pragma once
+
+#include <memory>
+
+#include "app/context/context.h"
+#include "app/gl/renderer.h"
+#include "app/view/camera.h"
+#include "app/view/draw_list.h"
+#include "bench/scenes.h"
+
+namespace pupflow::bench {
+
+constexpr int kPictureWidth = 1280, kPictureHeight = 960;
+
+/// The pictures that `pupflow render` takes of the huddling litter, without their colour bar, in
+/// the parts that they are made of. One at a time.
+class Sitting {
+ public:
+  /// Throws io::Failure without OpenGL.
+  Sitting();
+
+  /// What is seen of `simulation` becomes the list that is drawn.
+  void list(const Simulation& simulation);
+
+  /// Uploads the list and draws it, to the last pixel.
+  void draw(int supersample);
+
+  /// Reads the picture back.
+  io::Image read() const { return target_.read(); }
+
+ private:
+  std::unique_ptr<context::Context> context_;  // outlives what was made in it
+  gl::Renderer renderer_;
+  gl::Target target_;
+  view::ColorScale scale_;
+  view::Camera camera_;
+  view::DrawList list_;
+};
+
+}  // namespace pupflow::bench

@@ -9,7 +9,7 @@ build_packages=(g++ cmake ninja-build pkg-config
   libegl-dev libgl-dev libglew-dev libglfw3-dev libgl1-mesa-dri libimgui-dev libstb-dev
   gnuplot-nox)
 check_packages=(libgtest-dev libgmock-dev clang-format-14 xvfb xdotool imagemagick
-  libopenmpi-dev openmpi-bin)
+  libopenmpi-dev openmpi-bin libbenchmark-dev libarmadillo-dev)
 lint_packages=(clang-tidy-14)
 
 say() { printf '\n== %s\n' "$*"; }

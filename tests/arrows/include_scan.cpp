@@ -40,13 +40,16 @@ const std::vector<Layer> kLayers = {
     {"app/cli",
      {"engine", "app/io", "app/study", "app/report", "app/view", "app/mpi/ranks.h",
       "app/pictures/graphics.h"}},
+    {"bench", {"engine", "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
 };
 
 // Graphics libraries stay on the graphics side; the rest stays where it is wrapped.
 const std::vector<Library> kLibraries = {
     {"Eigen/",
      {"engine", "app/study", "app/report", "app/view", "app/gl", "app/window", "app/pictures",
-      "app/cli"}},
+      "app/cli", "bench"}},
+    {"armadillo", {"bench"}},
+    {"benchmark/", {"bench"}},
     {"GL/", {"app/gl", "app/context", "app/window"}},
     {"EGL/", {"app/context"}},
     {"GLFW/", {"app/context", "app/window"}},
@@ -130,7 +133,7 @@ std::vector<Violation> scan_text(const std::string& file, const std::string& tex
 std::vector<Violation> scan_tree(const std::filesystem::path& root, int& files) {
   files = 0;
   std::vector<Violation> found;
-  for (const char* top : {"engine", "app"}) {
+  for (const char* top : {"engine", "app", "bench"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".h" && extension != ".cpp") continue;

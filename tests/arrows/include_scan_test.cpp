@@ -70,6 +70,8 @@ constexpr Case kForbidden[] = {
     {"app/study/sweep.cpp", "#include <mpi.h>"},
     {"app/mpi/leader.cpp", "#include \"app/study/sweep.h\""},
     {"app/cli/sweep.cpp", "#include \"app/mpi/leader.h\""},
+    {"app/cli/explain.cpp", "#include \"bench/measure.h\""},
+    {"app/study/sweep.cpp", "#include <armadillo>"},
 };
 
 constexpr Case kAllowed[] = {
@@ -85,6 +87,7 @@ constexpr Case kAllowed[] = {
     {"app/pictures/module.cpp", "#include \"app/window/live.h\""},
     {"app/window/window.cpp", "#include \"imgui_impl_glfw.h\""},
     {"app/context/headless.cpp", "#include <EGL/egl.h>"},
+    {"bench/sitting.cpp", "#include \"app/gl/renderer.h\""},
 };
 
 std::string name_of(const ::testing::TestParamInfo<Case>& info) {

@@ -38,7 +38,7 @@ struct Part {
 /// How long to measure.
 struct MeasuredSteps {
   std::int64_t after = 300;  // steps before measuring, since contacts cost what touches
-  int count = 200;           // steps to measure; fewer where that would take more than 5 seconds
+  int count = 200;           // steps to measure, in twenties; fewer where they take over 5 seconds
   bool quiet = false;        // no progress
 };
 

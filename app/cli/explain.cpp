@@ -4,6 +4,7 @@
 
 #include "app/cli/summary.h"
 #include "app/cli/verb.h"
+#include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
@@ -146,6 +147,8 @@ void compare(const Options& options, const io::Setup& setup) {
 
 void work(const Options& options) {
   const io::Setup setup = io::set_up(options.common.settings);
+  const Common& common = options.common;
+  if (!common.out.empty()) io::refuse_existing(common.out, common.force);
   if (options.measure) {
     compare(options, setup);
   } else {

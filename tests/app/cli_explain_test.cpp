@@ -77,6 +77,14 @@ TEST_F(CliExplain, SaysWhichBitsAreComparedWhereNothingDrives) {
   EXPECT_THAT(text, HasSubstr("Steering turns the headings of pups that have no drive"));
 }
 
+TEST_F(CliExplain, RefusesAnOutputBeforeItMeasures) {
+  scratch_.file("taken.txt", "mine");
+  const Outcome outcome =
+      pupflow({"explain", "--after", "9007199254740992", "--measure", "--out", "taken.txt"});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("taken.txt: exists already"));
+}
+
 TEST_F(CliExplain, StopsWhereNumbersGoWrong) {
   for (const bool measure : {false, true}) {
     std::vector<std::string> call{"explain", "--set",   "heat=euler", "--set",

@@ -1,0 +1,98 @@
+// Scene 5 of the error report: heat, where the closed form is known.
+#include <cmath>
+
+#include "app/report/error_scenes.h"
+#include "app/report/pups.h"
+#include "engine/heat.h"
+
+namespace pupflow::report {
+namespace {
+
+constexpr int kSamples = 50;  // one model second
+
+/// A pup of few points far from everything: only its heat matters.
+Params alone() {
+  Params p;
+  p.pups = 1;
+  p.gravity = 0;
+  p.drive = 0;
+  p.arena_radius = 1000;
+  p.tb0 = 1;
+  p.ta = 0.2;
+  return p;
+}
+
+/// Two thirds of the surface exposed, the rest against a neighbour at 0.5 that stays so.
+constexpr double kExposed = 2.0 / 3, kNeighbour = 0.5;
+
+/// One pup through the whole step, then two through the heat rule alone, whose exposure is held.
+Outcome run(const Setting& setting) {
+  Simulation simulation(setting.params);
+  Params fast = setting.params, stiff = setting.params;
+  fast.k1 = 100, fast.k2 = 30;
+  stiff.k1 = 1e4, stiff.k2 = 1e4;
+  double fast_tb = fast.tb0, stiff_tb = stiff.tb0;
+  return run_sampled(
+      simulation, kSamples, 3,
+      [&](const Simulation& s, Trajectory& to) {
+        to[0].push_back(s.body_temperature()[0]);
+        to[1].push_back(fast_tb);
+        to[2].push_back(stiff_tb);
+      },
+      [&](Simulation&) {
+        fast_tb = heat_step(fast, fast_tb, kExposed, kNeighbour);
+        stiff_tb = heat_step(stiff, stiff_tb, kExposed, kNeighbour);
+      });
+}
+
+/// G - a (T - T_a) - b (T - T_c) from T(0) = T_b(0).
+double temperature(const Params& p, double a, double b, double t) {
+  const double end = (p.g + a * p.ta + b * kNeighbour) / (a + b);
+  return end + (p.tb0 - end) * std::exp(-(a + b) * t);
+}
+
+void closed_form(Trajectory& right) {
+  const Params p = alone();
+  for (std::size_t i = 0; i < right[0].size(); ++i) {
+    const double t = kSample * static_cast<double>(i + 1);
+    right[0][i] = temperature(p, p.k1, 0, t);
+    right[1][i] = temperature(p, 100 * kExposed, 30 * (1 - kExposed), t);
+    right[2][i] = temperature(p, 1e4 * kExposed, 1e4 * (1 - kExposed), t);
+  }
+}
+
+}  // namespace
+
+Scene cooling_scene(bool quick) {
+  Scene scene;
+  scene.name = "cooling";
+  scene.title = "5. Cooling and heating";
+  scene.about =
+      "A pup of T_b = 1 cools by itself in air of 0.2 for one second (k₁ = 0.9). Beside it the "
+      "heat "
+      "rule alone is stepped for a pup with two thirds of its surface in that air and one third "
+      "against a neighbour that stays at 0.5, once with k₁ = 100 and k₂ = 30, once stiff, with "
+      "both "
+      "10⁴. All three have a closed form, an exponential approach to equilibrium. `heat = exact` "
+      "is "
+      "that form; what is left is rounding. `heat = euler` is of first order, and beyond 2/h, 200 "
+      "per second at the default step, it grows without bound: the errors above 1 are real.";
+  scene.quantities = {
+      {"cooling", "T_b, k1 = 0.9"}, {"fast", "T_b, k1 = 100"}, {"stiff", "T_b, k1 = k2 = 10^4"}};
+  const Params exact = alone();
+  Params euler = exact, narrow = exact;
+  euler.heat = HeatRule::euler;
+  narrow.precision = Precision::float_;
+  const int finest = quick ? 16 : 256;
+  scene.curves = {{"exact", halved_naively(exact, 4), false, {}},
+                  {"Euler", halved(euler, finest), true, {}},
+                  {"exact, float", halved_naively(narrow, 4), false, {}}};
+  scene.standard = {"dt = 0.01, exact, double", exact, 0};
+  set_reference(scene, exact, 1);
+  scene.reference.label = "the closed form";
+  scene.run = run;
+  scene.closed_form = closed_form;
+  return scene;
+}
+
+}  // namespace pupflow::report

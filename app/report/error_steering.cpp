@@ -1,0 +1,69 @@
+// Scene 6 of the error report: a pup passes a fixed warm neighbour.
+#include "app/report/error_scenes.h"
+#include "app/report/pups.h"
+
+namespace pupflow::report {
+namespace {
+
+constexpr int kSamples = 50;
+
+Params passing() {
+  Params p;
+  p.pups = 2;
+  p.gravity = 0;
+  p.k1 = p.k2 = p.g = 0;  // temperatures stay as they are set
+  p.ta = 0.3;
+  return p;
+}
+
+Outcome run(const Setting& setting) {
+  Simulation simulation(setting.params);
+  const Points upright = rest_points(setting.params, Eigen::Matrix3d::Identity());
+  const Points oblique = rest_points(setting.params, oblique_rotation());
+  const Points still(upright.size(), Eigen::Vector3d::Zero());
+  const Points moving(upright.size(), Eigen::Vector3d(1, 0, 0));
+  const Eigen::Vector3d fixed(0, 0, 0.7);
+  place(simulation, 0, {-0.7, 0.52, 0.72}, oblique, moving);
+  simulation.set_heading(0, 0);
+  simulation.set_body_temperature(0, 0.4);
+  simulation.set_body_temperature(1, 0.9);
+  const auto hold = [&](Simulation& s) { place(s, 1, fixed, upright, still); };
+  hold(simulation);
+  return run_sampled(
+      simulation, kSamples, 2,
+      [](const Simulation& s, Trajectory& to) {
+        const Eigen::Vector3d centre = s.centre(0);
+        to[0].insert(to[0].end(), centre.data(), centre.data() + 3);
+        to[1].push_back(s.heading()[0]);
+      },
+      hold);
+}
+
+}  // namespace
+
+Scene steering_scene(bool quick) {
+  Scene scene;
+  scene.name = "steering";
+  scene.title = "6. Steering past a warm neighbour";
+  scene.about =
+      "A cold pup (T_b = 0.4) passes a warm one (0.9) that is put back into its place after every "
+      "step, grazes it and turns towards it, for one second, without weight. Held against a fine "
+      "run: its path and its course θ.";
+  scene.quantities = {{"path", "path"}, {"course", "course"}};
+  const Params p = passing();
+  Params narrow = p, undamped = p;
+  narrow.precision = Precision::float_;
+  undamped.integrator = Integrator::explicit_;
+  const int finest = quick ? 8 : 32;
+  scene.curves = {{"consistent", halved(p, finest), true, {}},
+                  {"naive", halved_naively(p, finest), false, {}},
+                  {"consistent, float", halved(narrow, finest), false, {}},
+                  {"explicit", halved(undamped, finest), false, {}},
+                  points_curve(p, quick)};
+  scene.standard = {"dt = 0.01, predictive, double", p, 0};
+  set_reference(scene, p, finest);
+  scene.run = run;
+  return scene;
+}
+
+}  // namespace pupflow::report

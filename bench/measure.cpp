@@ -29,6 +29,18 @@ void require(const Status& status) {
   if (!status.ok()) throw std::runtime_error(status.message());
 }
 
+std::vector<double> step_times(Simulation& simulation, int steps) {
+  require(simulation.run(kWarmUpSteps));
+  std::vector<double> times;
+  for (int i = 0; i < steps; ++i) {
+    const Clock::time_point begin = Clock::now();
+    const Status status = simulation.step();
+    times.push_back(microseconds_between(begin, Clock::now()));
+    require(status);
+  }
+  return times;
+}
+
 class StageClock : public StageListener {
  public:
   void stage_begins(Stage) override { begin_ = Clock::now(); }
@@ -54,6 +66,10 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+double least(const std::vector<double>& values) {
+  return *std::min_element(values.begin(), values.end());
 }
 
 double microseconds(const std::function<void()>& work) {
@@ -85,15 +101,11 @@ double ratio(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 double step_time(Simulation& simulation, int steps) {
-  require(simulation.run(kWarmUpSteps));
-  std::vector<double> times;
-  for (int i = 0; i < steps; ++i) {
-    const Clock::time_point begin = Clock::now();
-    const Status status = simulation.step();
-    times.push_back(microseconds_between(begin, Clock::now()));
-    require(status);
-  }
-  return median(std::move(times));
+  return median(step_times(simulation, steps));
+}
+
+double least_step_time(Simulation& simulation, int steps) {
+  return least(step_times(simulation, steps));
 }
 
 StageTimes stage_times(Simulation& simulation, int steps) {

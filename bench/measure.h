@@ -32,6 +32,10 @@ struct Contender {
 /// Each contender's measured times, one a round: all of them in turn, `rounds` times.
 std::vector<std::vector<double>> in_turns(const std::vector<Contender>& contenders, int rounds);
 
+/// The least of `values`, at least one: for what needs more than one core, which are all free at
+/// times only.
+double least(const std::vector<double>& values);
+
 /// The median over rounds of a's time through b's time of the same round.
 double ratio(const std::vector<double>& a, const std::vector<double>& b);
 
@@ -41,6 +45,9 @@ using StageTimes = std::array<double, kStageCount>;
 /// Steps `simulation` on and times each of `steps` steps, after some that only warm the caches.
 /// Returns the median in microseconds. Throws std::runtime_error on a bad status.
 double step_time(Simulation& simulation, int steps);
+
+/// The same, but the least of the times.
+double least_step_time(Simulation& simulation, int steps);
 
 /// The same, stage by stage.
 StageTimes stage_times(Simulation& simulation, int steps);

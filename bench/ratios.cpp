@@ -57,13 +57,15 @@ void print_machine() {
 }
 
 void run(const Options& options) {
+  std::printf("<!-- measured machine -->\n");
   print_machine();
   Verdicts verdicts;
   for (const Section& section : options.sections) {
-    std::printf("\n<!-- %s -->\n", section.name.c_str());
+    std::printf("\n<!-- measured %s -->\n", section.name.c_str());
     std::fflush(stdout);
     section.measure(options.rounds, verdicts);
   }
+  std::printf("\n<!-- measured verdicts -->\n");
   verdicts.print();
 }
 

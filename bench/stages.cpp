@@ -30,8 +30,8 @@ struct Litters {
   std::string precision;
   Scene huddling, dispersed, rigid;
   TightLitter<Real> tight;
-  std::vector<InstructionSet> sets;         // for which there are tight kernels here
-  std::vector<std::vector<Floors>> floors;  // one list a set, one entry a round
+  std::vector<TightVariant<Real>> variants;
+  std::vector<std::vector<Floors>> floors;  // one list a variant, one entry a round
 };
 
 template <class Real>
@@ -47,12 +47,9 @@ Litters<Real> make_litters() {
                         {name + ", dispersed", settled(dispersed(precision)), {}},
                         {name + ", huddling, β = 0", settled(stiff), {}},
                         TightLitter<Real>(huddle.snapshot()),
-                        {},
+                        tight_variants<Real>(),
                         {}};
-  for (const InstructionSet set : supported_instruction_sets()) {
-    if (tight_kernels<Real>(set) != nullptr) litters.sets.push_back(set);
-  }
-  litters.floors.resize(litters.sets.size());
+  litters.floors.resize(litters.variants.size());
   return litters;
 }
 
@@ -62,8 +59,8 @@ void measure(Litters<Real>& litters) {
     Simulation simulation = scene->start;
     scene->rounds.push_back(stage_times(simulation, kMeasuredSteps));
   }
-  for (std::size_t i = 0; i < litters.sets.size(); ++i) {
-    litters.floors[i].push_back(litters.tight.measure(*tight_kernels<Real>(litters.sets[i])));
+  for (std::size_t i = 0; i < litters.variants.size(); ++i) {
+    litters.floors[i].push_back(litters.tight.measure(*litters.variants[i].kernels));
   }
 }
 
@@ -83,15 +80,14 @@ void print_scene(const Scene& scene) {
 
 template <class Real>
 void print_floors(const Litters<Real>& litters) {
-  for (std::size_t i = 0; i < litters.sets.size(); ++i) {
+  for (std::size_t i = 0; i < litters.variants.size(); ++i) {
     const auto time = [&](double Floors::*kernel) {
       return median(times(litters.floors[i], kernel));
     };
     std::printf("| %s, %s | %.2f | %.2f | %.2f | %.2f | %.2f (%.0f pairs) |\n",
-                litters.precision.c_str(),
-                std::string(instruction_set_name(litters.sets[i])).c_str(), time(&Floors::predict),
-                time(&Floors::match), time(&Floors::rotations), time(&Floors::bounds),
-                time(&Floors::distances), litters.tight.distance_tests());
+                litters.precision.c_str(), std::string(litters.variants[i].name).c_str(),
+                time(&Floors::predict), time(&Floors::match), time(&Floors::rotations),
+                time(&Floors::bounds), time(&Floors::distances), litters.tight.distance_tests());
   }
 }
 
@@ -115,8 +111,8 @@ void judge(const Litters<Real>& litters, Verdicts& verdicts) {
   verdicts.at_most(
       "shape matching, β = 0 through β = 0.5," + in, 0.75,
       ratio(of(litters.rigid, Stage::shape_match), of(litters.huddling, Stage::shape_match)));
-  for (std::size_t i = 0; i < litters.sets.size(); ++i) {
-    if (litters.sets[i] != InstructionSet::avx2) continue;
+  for (std::size_t i = 0; i < litters.variants.size(); ++i) {
+    if (litters.variants[i].name != "avx2") continue;
     verdicts.at_most(
         "shape matching through its tight kernel (avx2)," + in, 1.5,
         ratio(of(litters.huddling, Stage::shape_match), times(litters.floors[i], &Floors::match)));

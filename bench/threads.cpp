@@ -1,4 +1,5 @@
-// One thread and two: a single big litter, and a sweep by the program.
+// One thread and two: a single big litter, and a sweep by the program. The least times count, since
+// two threads are as fast as they can be only while nobody else wants either core.
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -11,20 +12,13 @@
 namespace pupflow::bench {
 namespace {
 
-/// Figure 2 in small: the same temperatures with fewer seeds and steps, everything else as there.
-std::vector<std::string> small_figure2(int threads, const std::string& folder) {
-  return {"figure2",     "--seeds",   "2",
-          "--steps",     "400",       "--set",
-          "discard=200", "--threads", std::to_string(threads),
-          "--quiet",     "--force",   "--out",
-          folder};
-}
-
+/// The whole of Figure 2 by the program, its picture included; milliseconds.
 double figure2_time(int threads) {
   const std::string folder =
       (std::filesystem::temp_directory_path() / "pupflow-bench-figure2").string();
   std::filesystem::remove_all(folder);
-  const double time = run_time(PUPFLOW_PROGRAM, small_figure2(threads, folder));
+  const double time = run_time(PUPFLOW_PROGRAM, {"figure2", "--threads", std::to_string(threads),
+                                                 "--quiet", "--out", folder});
   std::filesystem::remove_all(folder);
   return time;
 }
@@ -35,7 +29,7 @@ constexpr int kCrowd = 1000, kSteps = 30;
 double crowd_time(const Simulation& start, int threads, std::uint64_t& hash) {
   Simulation simulation = start;
   simulation.set_threads(threads);
-  const double time = step_time(simulation, kSteps);
+  const double time = least_step_time(simulation, kSteps);
   hash = simulation.hash();
   return time;
 }
@@ -53,22 +47,21 @@ void one_crowd(int rounds, Verdicts& verdicts) {
     const auto times = in_turns(contenders, rounds);
     if (hashes[0] != hashes[1]) throw std::runtime_error("two threads gave another hash than one");
     const std::string name = precision_name(precision);
-    std::printf("| %s | %.0f | %.0f | %s |\n", name.c_str(), median(times[0]), median(times[1]),
+    std::printf("| %s | %.0f | %.0f | %s |\n", name.c_str(), least(times[0]), least(times[1]),
                 hash_text(hashes[0]).c_str());
     verdicts.at_least("1,000 pups, one thread through two, in " + name, 1.6,
-                      ratio(times[0], times[1]));
+                      least(times[0]) / least(times[1]));
   }
 }
 
 void figure2(int rounds, Verdicts& verdicts) {
   const std::vector<Contender> sweeps = {{"1", [] { return figure2_time(1); }},
                                          {"2", [] { return figure2_time(2); }}};
-  const auto times = in_turns(sweeps, (rounds + 2) / 3);
-  std::printf(
-      "| small Figure 2, 48 runs | ms |\n|---|---|\n| one thread | %.0f |\n"
-      "| two threads | %.0f |\n",
-      median(times[0]), median(times[1]));
-  verdicts.at_least("Figure 2, one thread through two", 1.85, ratio(times[0], times[1]));
+  const auto times = in_turns(sweeps, (rounds + 4) / 5);
+  std::printf("| `pupflow figure2`, 240 runs | s |\n|---|---|\n");
+  std::printf("| one thread | %.1f |\n| two threads | %.1f |\n", 1e-3 * least(times[0]),
+              1e-3 * least(times[1]));
+  verdicts.at_least("Figure 2, one thread through two", 1.85, least(times[0]) / least(times[1]));
 }
 
 }  // namespace

@@ -9,7 +9,9 @@ namespace pupflow::bench {
   extern const TightKernels<double> tight_##set##_double;
 PUPFLOW_DECLARE(baseline)
 #if defined(PUPFLOW_X86_KERNELS)
+PUPFLOW_DECLARE(avx2_unfused)
 PUPFLOW_DECLARE(avx2)
+PUPFLOW_DECLARE(avx512_unfused)
 PUPFLOW_DECLARE(avx512)
 #endif
 #undef PUPFLOW_DECLARE
@@ -31,17 +33,27 @@ const TightKernels<Real>* pick(const TightKernels<float>& narrow,
 }  // namespace
 
 template <class Real>
-const TightKernels<Real>* tight_kernels(InstructionSet set) {
+std::vector<TightVariant<Real>> tight_variants() {
+  std::vector<TightVariant<Real>> variants{
+      {"baseline", pick<Real>(tight_baseline_float, tight_baseline_double)}};
 #if defined(PUPFLOW_X86_KERNELS)
-  if (set != InstructionSet::baseline && !__builtin_cpu_supports("fma")) return nullptr;
-  if (set == InstructionSet::avx2) return pick<Real>(tight_avx2_float, tight_avx2_double);
-  if (set == InstructionSet::avx512) return pick<Real>(tight_avx512_float, tight_avx512_double);
+  const bool fused = __builtin_cpu_supports("fma") != 0;
+  const auto add = [&](std::string_view name, const TightKernels<Real>* kernels) {
+    variants.push_back({name, kernels});
+  };
+  if (__builtin_cpu_supports("avx2")) {
+    add("avx2, not fused", pick<Real>(tight_avx2_unfused_float, tight_avx2_unfused_double));
+    if (fused) add("avx2", pick<Real>(tight_avx2_float, tight_avx2_double));
+  }
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) {
+    add("avx512, not fused", pick<Real>(tight_avx512_unfused_float, tight_avx512_unfused_double));
+    if (fused) add("avx512", pick<Real>(tight_avx512_float, tight_avx512_double));
+  }
 #endif
-  static_cast<void>(set);
-  return pick<Real>(tight_baseline_float, tight_baseline_double);
+  return variants;
 }
 
-template const TightKernels<float>* tight_kernels<float>(InstructionSet);
-template const TightKernels<double>* tight_kernels<double>(InstructionSet);
+template std::vector<TightVariant<float>> tight_variants<float>();
+template std::vector<TightVariant<double>> tight_variants<double>();
 
 }  // namespace pupflow::bench

@@ -3,7 +3,8 @@
 // same bits everywhere costs.
 #pragma once
 
-#include "engine/kernels.h"
+#include <string_view>
+#include <vector>
 
 namespace pupflow::bench {
 
@@ -29,9 +30,15 @@ struct TightKernels {
                     Real limit);
 };
 
-/// The kernels for one of the engine's instruction sets; nullptr where this processor lacks its
-/// fused multiply-add.
+/// Tight kernels as one compilation made them.
 template <class Real>
-const TightKernels<Real>* tight_kernels(InstructionSet set);
+struct TightVariant {
+  std::string_view name;  // of the instruction set, and whether multiplications are fused with sums
+  const TightKernels<Real>* kernels;
+};
+
+/// Those that this processor can run, the plainest first.
+template <class Real>
+std::vector<TightVariant<Real>> tight_variants();
 
 }  // namespace pupflow::bench

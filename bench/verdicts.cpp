@@ -14,7 +14,7 @@ void Verdicts::at_most(const std::string& what, double target, double measured) 
 
 void Verdicts::print() const {
   if (rows_.empty()) return;
-  std::printf("\n| target | wanted | measured | |\n|---|---|---|---|\n");
+  std::printf("| target | wanted | measured | |\n|---|---|---|---|\n");
   for (const Row& row : rows_) {
     const bool reached = row.at_least ? row.measured >= row.target : row.measured <= row.target;
     const double missing = row.at_least ? row.target / row.measured : row.measured / row.target;

@@ -32,4 +32,10 @@ void Sitting::draw(int supersample) {
   glFinish();
 }
 
+void Sitting::draw_plainly() {
+  target_.bind();
+  plain_.draw(list_, camera_, kPictureWidth, kPictureHeight);
+  glFinish();
+}
+
 }  // namespace pupflow::bench

@@ -7,6 +7,7 @@
 #include "app/gl/renderer.h"
 #include "app/view/camera.h"
 #include "app/view/draw_list.h"
+#include "bench/plain_frame.h"
 #include "bench/scenes.h"
 
 namespace pupflow::bench {
@@ -26,12 +27,16 @@ class Sitting {
   /// Uploads the list and draws it, to the last pixel.
   void draw(int supersample);
 
+  /// The same by the baseline, one sample a pixel.
+  void draw_plainly();
+
   /// Reads the picture back.
   io::Image read() const { return target_.read(); }
 
  private:
   std::unique_ptr<context::Context> context_;  // outlives what was made in it
   gl::Renderer renderer_;
+  PlainFrame plain_;
   gl::Target target_;
   view::ColorScale scale_;
   view::Camera camera_;

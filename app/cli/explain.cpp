@@ -28,8 +28,13 @@ struct Options {
   bool measure = false;
 };
 
+int threads(const Options& options) {
+  return options.common.threads > 0 ? options.common.threads : 1;
+}
+
 /// What was measured; microseconds.
 struct Costs {
+  int threads = 1;
   std::int64_t first = 0, last = 0;  // the steps that it was measured over
   report::StageTimer stages;
   double step = 0, observing = 0;  // medians
@@ -43,6 +48,7 @@ void take_step(Simulation& simulation, StageListener* listener) {
 
 Costs measure(const Options& options, const Params& params) {
   Simulation simulation(params);
+  simulation.set_threads(threads(options));
   {
     io::Progress progress("settle", options.after, options.common.quiet);
     while (simulation.steps_done() < options.after) {
@@ -51,6 +57,7 @@ Costs measure(const Options& options, const Params& params) {
     }
   }
   Costs costs;
+  costs.threads = threads(options);
   costs.first = simulation.steps_done() + 1;
   std::vector<double> steps, observing;
   Observer observer(simulation);
@@ -82,12 +89,13 @@ std::string costs_words(const Costs& costs, const Params& params) {
   char text[500];
   std::snprintf(
       text, sizeof text,
-      "Times are medians over steps %lld to %lld of this scene, measured just now, on one thread.\n"
+      "Times are medians over steps %lld to %lld of this scene, measured just now, %s.\n"
       "Every other step is timed as a whole, which can take less than its stages do one by one.\n"
       "At that rate its %lld steps take %.3g s; observing each of "
       "them would add %.3g s.\n",
       static_cast<long long>(costs.first), static_cast<long long>(costs.last),
-      static_cast<long long>(params.steps), 1e-6 * costs.step * static_cast<double>(params.steps),
+      report::threads_words(costs.threads).c_str(), static_cast<long long>(params.steps),
+      1e-6 * costs.step * static_cast<double>(params.steps),
       1e-6 * costs.observing * static_cast<double>(params.steps));
   return text;
 }
@@ -132,6 +140,7 @@ std::string explanation(const io::Setup& setup, const Costs& costs) {
 void compare(const Options& options, const io::Setup& setup) {
   report::MeasuredSteps steps;
   steps.after = options.after;
+  steps.threads = threads(options);
   steps.count = kMeasuredSteps;
   steps.quiet = options.common.quiet;
   const report::Savings savings = report::measure_savings(setup.params, steps);
@@ -163,7 +172,7 @@ Verb add_explain(CLI::App& program) {
       "explain", "Tell which stages a scene needs and why, and what each costs");
   const auto options = std::make_shared<Options>();
   CommonHelp help;
-  help.threads = "Accepted everywhere; one thread is measured";
+  help.threads = "Threads that share a step (default 1)";
   help.out = "Write the explanation to a file instead of standard output";
   help.quiet = "No progress";
   add_common(*app, options->common, help);

@@ -55,6 +55,7 @@ class Run {
   }
 
   const Simulation& simulation() const { return simulation_; }
+  void set_threads(int threads) { simulation_.set_threads(threads); }
 
   StageTimer timer;
   std::vector<double> whole, observing;  // microseconds; a whole step and looking at it
@@ -240,6 +241,10 @@ std::string hexadecimal(std::uint64_t hash) {
 
 }  // namespace
 
+std::string threads_words(int threads) {
+  return threads == 1 ? "one thread" : std::to_string(threads) + " threads";
+}
+
 const char* agreement_words(Agreement agreement) {
   switch (agreement) {
     case Agreement::needed:
@@ -257,10 +262,12 @@ const char* agreement_words(Agreement agreement) {
 Savings measure_savings(const Params& params, const MeasuredSteps& steps) {
   Field field(params);
   const std::vector<Run*> runs = field.all();
+  for (Run* run : runs) run->set_threads(steps.threads);
   settle(runs, steps);
   measure(runs, steps.count);
   Savings savings;
   savings.first = steps.after + 1;
+  savings.threads = steps.threads;
   savings.last = field.planned.simulation().steps_done();
   savings.parts = parts_of(field);
   savings.planned_step = median(field.planned.whole);
@@ -307,11 +314,12 @@ std::vector<std::string> savings_notes(const Savings& savings) {
   char text[600];
   std::snprintf(
       text, sizeof text,
-      "Medians over steps %lld to %lld, one thread, of runs that take turns every few steps; "
+      "Medians over steps %lld to %lld, %s, of runs that take turns every few steps; "
       "reading the clock adds %.2f µs to each. Every other step is timed as a whole, which can "
       "take less than its stages do one by one; its forced figure is with all parts at once, and "
       "what it saved is the median difference, of which a percent or two of the step is noise.",
-      static_cast<long long>(savings.first), static_cast<long long>(savings.last), savings.clock);
+      static_cast<long long>(savings.first), static_cast<long long>(savings.last),
+      threads_words(savings.threads).c_str(), savings.clock);
   notes.emplace_back(text);
   bool headings = false;
   std::string left_out;

@@ -21,6 +21,9 @@ enum class Agreement {
   none               // a defect of the program
 };
 
+/// "one thread", "2 threads".
+std::string threads_words(int threads);
+
 /// As tables have it: "whole state", "all but headings", "NO", or "-" where nothing was compared.
 const char* agreement_words(Agreement agreement);
 
@@ -39,13 +42,15 @@ struct Part {
 struct MeasuredSteps {
   std::int64_t after = 300;  // steps before measuring, since contacts cost what touches
   int count = 200;           // steps to measure, in twenties; fewer where they take over 5 seconds
+  int threads = 1;           // that share a step
   bool quiet = false;        // no progress
 };
 
 /// What came of it. Times are medians in microseconds.
 struct Savings {
   std::int64_t first = 0, last = 0;  // the steps that were measured
-  std::vector<Part> parts;           // in the order of a step; a part of a stage after its stage
+  int threads = 1;
+  std::vector<Part> parts;  // in the order of a step; a part of a stage after its stage
   double planned_step = 0, full_step = 0;  // a whole step as planned, and with everything forced in
   double saved = 0;                        // median difference of the two, step by step
   Agreement agreement{};                   // with everything forced in
@@ -55,7 +60,7 @@ struct Savings {
 };
 
 /// Runs the scene as planned for a run that nobody watches, and beside it, from the first step on
-/// and in turn with it, with each left-out part forced in. One thread. Throws io::Failure:
+/// and in turn with it, with each left-out part forced in. Throws io::Failure:
 /// bad_numbers when a run goes wrong, interrupted after Ctrl-C.
 Savings measure_savings(const Params& params, const MeasuredSteps& steps);
 

@@ -71,6 +71,17 @@ TEST_F(CliExplain, MeasuresThatWhatIsLeftOutCostsNothingAndChangesNothing) {
   EXPECT_LE(longest_line(single), 100u);
 }
 
+TEST_F(CliExplain, MeasuresOnAsManyThreadsAsAsked) {
+  const std::vector<std::string> call{"explain", "--after", "5", "--quiet"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), call.begin(), call.end());
+    return pupflow(more).out;
+  };
+  EXPECT_THAT(with({}), HasSubstr("one thread"));
+  EXPECT_THAT(with({"--threads", "2"}), HasSubstr("2 threads"));
+  EXPECT_THAT(with({"--threads", "2", "--measure"}), HasSubstr("2 threads"));
+}
+
 TEST_F(CliExplain, SaysWhichBitsAreComparedWhereNothingDrives) {
   const std::string text = measured("no_steering");
   EXPECT_THAT(text, ContainsRegex("\nsteering +no +0 +[0-9.]+ +[0-9.]+ +all but headings\n"));

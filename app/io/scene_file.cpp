@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/io/failure.h"
 #include "app/io/nearest.h"
@@ -135,6 +136,13 @@ Scene load_scene(const std::string& scene, std::vector<std::string>& problems) {
     const std::string name = scene == "-" ? "standard input" : scene;
     return parse_scene(read_file(scene, kLargestScene), name, problems);
   }
+  std::error_code ignored;
+  if (std::filesystem::exists(scene, ignored)) {
+    throw Failure(ExitCode::bad_input,
+                  io::quoted(scene) +
+                      ": a scene file is given as a path with '/' or ending in .toml, an "
+                      "output of this program with --like");
+  }
   std::vector<std::string_view> names;
   std::string listed;
   for (const ShippedScene& s : shipped) {
@@ -142,8 +150,8 @@ Scene load_scene(const std::string& scene, std::vector<std::string>& problems) {
     listed += (listed.empty() ? "" : ", ") + std::string(s.name);
   }
   throw Failure(ExitCode::bad_input,
-                "no scene " + quoted(scene) + did_you_mean(scene, names) + " (shipped: " + listed +
-                    "; a scene file is given as a path with '/' or ending in .toml)");
+                "no scene " + io::quoted(scene) + did_you_mean(scene, names) + " (shipped: " +
+                    listed + "; a scene file is given as a path with '/' or ending in .toml)");
 }
 
 }  // namespace pupflow::io

@@ -84,6 +84,14 @@ TEST_F(Cli, ASceneErrorNamesItsPlace) {
   EXPECT_EQ(pupflow({"run", "none.toml"}).code, 4);
 }
 
+TEST_F(Cli, AFileThatIsNoSceneIsNotTakenForAName) {
+  scratch_.file("earlier.csv", "step\n");
+  const Outcome outcome = pupflow({"explain", "earlier.csv"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, testing::StartsWith("pupflow: 'earlier.csv': a scene file is given as"));
+  EXPECT_THAT(outcome.err, HasSubstr("--like"));
+}
+
 TEST_F(Cli, ParamsListsEveryParameterInEachFormat) {
   for (const char* format : {"text", "markdown", "json"}) {
     const Outcome outcome = pupflow({"params", "--format", format});

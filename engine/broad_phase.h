@@ -17,9 +17,6 @@ class BroadPhase {
   /// finite.
   const std::vector<TouchingPair>& find(const std::vector<Bounds<Real>>& boxes, Real margin);
 
-  /// The pups in the order of the last sweep: neighbours in space are mostly neighbours here.
-  const std::vector<int>& order() const { return order_; }
-
  private:
   void sort_along_axis(const std::vector<Bounds<Real>>& boxes);
   void sort_pairs(int pups);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "engine/health.h"
 #include "engine/lanes.h"
@@ -51,14 +52,21 @@ void Contacts<Real>::Side::make_room(int stride) {
 }
 
 template <class Real>
-void Contacts<Real>::make_room(const State<Real>& state, int workers) {
+void Contacts<Real>::make_room(const State<Real>& state, int workers, std::size_t pairs) {
   workers_.resize(workers);
+  const std::size_t usual =
+      state.row(state.pups) / workers;  // one touch a point is more than usual
   for (Worker& worker : workers_) {
     worker.first.make_room(state.stride);
     worker.second.make_room(state.stride);
+    worker.touches.clear();
+    worker.touches.reserve(usual);
+    worker.total.resize(state.points);
+    worker.bits.resize(words_for(state.points));
   }
-  touch_.resize(state.row(state.pups));
-  bits_.resize(static_cast<std::size_t>(state.pups) * words_for(state.points));
+  found_.reserve(pairs);
+  ranges_.reserve(2 * pairs);
+  ends_.reserve(state.pups + 1);
 }
 
 template <class Real>
@@ -91,92 +99,115 @@ bool Contacts<Real>::touch_pair(const State<Real>& state, TouchingPair pair, Rea
 }
 
 template <class Real>
-void Contacts<Real>::merge(const Side& side, int pup, int other, bool afferents,
-                           State<Real>& state) {
-  std::uint64_t* bits = bits_.data() + static_cast<std::size_t>(pup) * words_for(state.points);
-  Touch* touches = touch_.data() + state.row(pup);
-  int* touched = afferents ? state.touched.data() + state.flat(pup) : nullptr;
+auto Contacts<Real>::record(const Side& side, int other, int worker, std::vector<Touch>& touches)
+    -> Range {
+  const int begin = static_cast<int>(touches.size());
   const ContactSums<Real>& sums = side.sums;
   for_each_point(sums.touching, words_for(side.candidates.count), [&](int i) {
-    const int point = side.candidates.point[i];
-    bits[point / 64] |= std::uint64_t{1} << (point % 64);
-    Touch& touch = touches[point];
-    const bool nearer = sums.nearest[i] < touch.nearest;  // pairs come in order: the first wins
-    touch.nearest = nearer ? sums.nearest[i] : touch.nearest;
-    if (touched != nullptr) touched[point] = nearer ? other : touched[point];
-    for (int axis = 0; axis < 3; ++axis) {
-      touch.push[axis] += sums.push[axis][i];
-      touch.pull[axis] += sums.pull[axis][i];
-    }
-    touch.uppers += sums.uppers[i];
+    touches.push_back({{sums.push[0][i], sums.push[1][i], sums.push[2][i]},
+                       sums.uppers[i],
+                       {sums.pull[0][i], sums.pull[1][i], sums.pull[2][i]},
+                       sums.nearest[i],
+                       side.candidates.point[i],
+                       other});
   });
+  return {worker, begin, static_cast<int>(touches.size())};
 }
 
 template <class Real>
-void Contacts<Real>::find(const Params& params, bool afferents, State<Real>& state, Team& team) {
+void Contacts<Real>::sort_by_pup(const std::vector<TouchingPair>& pairs, State<Real>& state) {
+  state.touching.clear();
+  ends_.assign(state.pups + 1, 0);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (found_[i].first.begin == found_[i].first.end) continue;
+    state.touching.push_back(pairs[i]);
+    ++ends_[pairs[i].first + 1];
+    ++ends_[pairs[i].second + 1];
+  }
+  std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+  ranges_.resize(ends_.back());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (found_[i].first.begin == found_[i].first.end) continue;
+    ranges_[ends_[pairs[i].first]++] = found_[i].first;
+    ranges_[ends_[pairs[i].second]++] = found_[i].second;
+  }
+}
+
+template <class Real>
+void Contacts<Real>::find(const Params& params, State<Real>& state, Team& team) {
   const auto reach = static_cast<Real>(2 * params.point_radius);
   const std::vector<TouchingPair>& pairs = broad_phase_.find(state.bounds, reach);
   const int workers = useful_workers(team, state.pups);
-  make_room(state, workers);
-  touches_.reserve(pairs.capacity());
-  touches_.assign(pairs.size(), 0);
+  make_room(state, workers, pairs.capacity());
   state.touching.reserve(pairs.capacity());
-  // Neighbours mostly belong to the same worker; a pair between two workers is searched by both,
-  // each for its own pup.
-  owner_.resize(state.pups);
-  for (int worker = 0; worker < workers; ++worker) {
-    const PupRange share = share_of(state.pups, worker, workers);
-    for (int i = share.begin; i < share.end; ++i) owner_[broad_phase_.order()[i]] = worker;
-  }
-  if (afferents) std::fill(state.touched.begin(), state.touched.end(), -1);
+  found_.assign(pairs.size(), {});
   team.run(workers, [&](int worker) {
     Worker& mine = workers_[worker];
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const TouchingPair pair = pairs[i];
-      const bool first = owner_[pair.first] == worker, second = owner_[pair.second] == worker;
-      if ((!first && !second) || !touch_pair(state, pair, reach, mine)) continue;
-      if (first) {
-        touches_[i] = 1;
-        merge(mine.first, pair.first, pair.second, afferents, state);
-      }
-      if (second) merge(mine.second, pair.second, pair.first, afferents, state);
+    const PupRange share = share_of(static_cast<int>(pairs.size()), worker, workers);
+    for (int i = share.begin; i < share.end; ++i) {
+      if (!touch_pair(state, pairs[i], reach, mine)) continue;
+      found_[i].first = record(mine.first, pairs[i].second, worker, mine.touches);
+      found_[i].second = record(mine.second, pairs[i].first, worker, mine.touches);
     }
   });
-  state.touching.clear();
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (touches_[i] != 0) state.touching.push_back(pairs[i]);
+  sort_by_pup(pairs, state);
+}
+
+template <class Real>
+void Contacts<Real>::add_up(std::span<const Touch> touches, Worker& mine) {
+  for (const Touch& touch : touches) {
+    mine.bits[touch.point / 64] |= std::uint64_t{1} << (touch.point % 64);
+    Touch& total = mine.total[touch.point];
+    const bool nearer = touch.nearest < total.nearest;  // pairs come in order: the first wins a tie
+    total.nearest = nearer ? touch.nearest : total.nearest;
+    total.other = nearer ? touch.other : total.other;
+    for (int axis = 0; axis < 3; ++axis) {
+      total.push[axis] += touch.push[axis];
+      total.pull[axis] += touch.pull[axis];
+    }
+    total.uppers += touch.uppers;
   }
+}
+
+/// Moves point `i` as its contacts say. False when that is suspiciously far.
+template <class Real>
+bool Contacts<Real>::move_point(const Touch& touch, Real share, Real suspect, std::size_t i,
+                                State<Real>& state) {
+  const Real push[3] = {share * touch.push[0], share * touch.push[1], share * touch.push[2]};
+  state.x[i] += push[0];
+  state.y[i] += push[1];
+  state.z[i] += push[2];
+  const Real mean = 1 / touch.uppers;
+  state.vx[i] = touch.pull[0] * mean;
+  state.vy[i] = touch.pull[1] * mean;
+  state.vz[i] = touch.pull[2] * mean;
+  return std::abs(push[0]) + std::abs(push[1]) + std::abs(push[2]) < suspect;
 }
 
 template <class Real>
 Status Contacts<Real>::apply(const Params& params, double share_of_push, bool afferents,
-                             State<Real>& state, int pup) {
-  const auto push_share = static_cast<Real>(share_of_push);
+                             State<Real>& state, int pup, int worker) {
   const auto suspect = static_cast<Real>(kSuspectRadii * params.pup_radius);
-  const int words = words_for(state.points);
-  std::uint64_t* bits = bits_.data() + static_cast<std::size_t>(pup) * words;
+  const auto share = static_cast<Real>(share_of_push);
+  Worker& mine = workers_[worker];
+  for (int i = pup == 0 ? 0 : ends_[pup - 1]; i < ends_[pup]; ++i) {
+    const Range& range = ranges_[i];
+    const std::vector<Touch>& touches = workers_[range.worker].touches;
+    add_up({touches.data() + range.begin, touches.data() + range.end}, mine);
+  }
+  const std::size_t row = state.row(pup);
+  int* touched = state.touched.data() + state.flat(pup);
+  if (afferents) std::fill(touched, touched + state.points, -1);
   bool sound = true;
   int touching = 0;
-  for_each_point(bits, words, [&](int point) {
-    const std::size_t i = state.row(pup) + point;
-    Touch& touch = touch_[i];
+  for_each_point(mine.bits.data(), words_for(state.points), [&](int point) {
+    Touch& touch = mine.total[point];
     ++touching;
-    if (touch.uppers > 0) {
-      const Real share = 1 / touch.uppers;
-      for (Real& push : touch.push) push *= push_share;
-      state.x[i] += touch.push[0];
-      state.y[i] += touch.push[1];
-      state.z[i] += touch.push[2];
-      state.vx[i] = touch.pull[0] * share;
-      state.vy[i] = touch.pull[1] * share;
-      state.vz[i] = touch.pull[2] * share;
-      const Real moved =
-          std::abs(touch.push[0]) + std::abs(touch.push[1]) + std::abs(touch.push[2]);
-      sound = sound && moved < suspect;
-    }
+    if (afferents) touched[point] = touch.other;
+    if (touch.uppers > 0) sound &= move_point(touch, share, suspect, row + point, state);
     touch = Touch{};
   });
-  std::fill(bits, bits + words, 0);
+  std::fill(mine.bits.begin(), mine.bits.end(), 0);
   if (afferents) state.exposed[pup] = static_cast<double>(state.points - touching) / state.points;
   return sound ? Status{} : inspect_pup(state, pup, params.pup_radius, Stage::contact);
 }

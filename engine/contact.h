@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "engine/broad_phase.h"
@@ -25,19 +26,27 @@ namespace pupflow {
 template <class Real>
 class Contacts {
  public:
-  /// Finds all contacts of `state`, whose bounds must be true. Fills `touching`, and, with
-  /// `afferents`, `touched`. The workers of `team` share the pups; every sum is made by one of
-  /// them, in the order of pairs, so that results do not depend on how many there are.
-  void find(const Params& params, bool afferents, State<Real>& state, Team& team);
+  /// Finds all contacts of `state`, whose bounds must be true, and fills `touching`. The workers of
+  /// `team` share the pairs of pups; no sum depends on how many there are.
+  void find(const Params& params, State<Real>& state, Team& team);
 
   /// Moves the points of `pup`, by `share_of_push` of what contacts displace them (1 but with a
-  /// refined step, refinement.h), and, with `afferents`, fills its `exposed`. Its bounds are no
-  /// longer true. Different pups may be done at the same time.
+  /// refined step, refinement.h), and, with `afferents`, fills its `touched` and `exposed`. Its
+  /// bounds are no longer true. Different workers of the team may do different pups at a time.
   Status apply(const Params& params, double share_of_push, bool afferents, State<Real>& state,
-               int pup);
+               int pup, int worker);
 
  private:
-  /// The points of one pup that may touch another, and what their contacts come to.
+  /// What the contacts of one point with one other pup, or with all, come to.
+  struct Touch {
+    Real push[3] = {0, 0, 0};  // sum of (p_a - p_b)(2 r - d) where this point is the upper one
+    Real uppers = 0;           // contacts in which this point is the upper one
+    Real pull[3] = {0, 0, 0};  // sum of (p_b - p_a) there
+    Real nearest = std::numeric_limits<Real>::infinity();  // squared, to the nearest touching point
+    int point = 0;
+    int other = -1;  // the pup of that nearest point
+  };
+  /// The points of one pup that may touch another, and their sums.
   struct Side {
     AlignedVector<Real> numbers;  // of all arrays below
     std::vector<int> point;
@@ -47,26 +56,34 @@ class Contacts {
     void make_room(int stride);
   };
   struct Worker {
-    Side first, second;
+    Side first, second;               // of the pair that is being searched
+    std::vector<Touch> touches;       // of all pairs that it searched, one after the other
+    std::vector<Touch> total;         // by point, of the pup that is being moved
+    std::vector<std::uint64_t> bits;  // its points that touch somebody
   };
-  /// What a point's contacts add up to.
-  struct Touch {
-    Real push[3] = {0, 0, 0};  // sum of (p_a - p_b)(2 r - d) where this point is the upper one
-    Real uppers = 0;           // contacts in which this point is the upper one
-    Real pull[3] = {0, 0, 0};  // sum of (p_b - p_a) there
-    Real nearest = std::numeric_limits<Real>::infinity();  // squared, to the nearest touching point
+  /// The touches begin ... end - 1 of a worker are those of one pup with another.
+  struct Range {
+    int worker, begin, end;
+  };
+  /// Those of a pair: first those of its first pup. Both are empty when it does not touch.
+  struct Found {
+    Range first, second;
   };
 
-  void make_room(const State<Real>& state, int workers);
+  void make_room(const State<Real>& state, int workers, std::size_t pairs);
   bool touch_pair(const State<Real>& state, TouchingPair pair, Real reach, Worker& worker) const;
-  void merge(const Side& side, int pup, int other, bool afferents, State<Real>& state);
+  static Range record(const Side& side, int other, int worker, std::vector<Touch>& touches);
+  void sort_by_pup(const std::vector<TouchingPair>& pairs, State<Real>& state);
+  static void add_up(std::span<const Touch> touches, Worker& mine);
+  static bool move_point(const Touch& touch, Real share, Real suspect, std::size_t i,
+                         State<Real>& state);
 
   BroadPhase<Real> broad_phase_;
   std::vector<Worker> workers_;
-  std::vector<int> owner_;           // the worker of each pup
-  std::vector<char> touches_;        // for each near pair: whether it touches
-  std::vector<Touch> touch_;         // one per point, padding included
-  std::vector<std::uint64_t> bits_;  // the points with a contact; words_for(points) per pup
+  std::vector<Found> found_;  // one per near pair
+  // The ranges of pup j, in the order of pairs: ranges_[ends_[j - 1]] ... ranges_[ends_[j] - 1].
+  std::vector<Range> ranges_;
+  std::vector<int> ends_;
 };
 
 }  // namespace pupflow

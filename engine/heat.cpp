@@ -1,5 +1,6 @@
 #include "engine/heat.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/elementary.h"
@@ -23,6 +24,16 @@ double mean_touched_temperature(const State<Real>& state, int pup) {
   return count > 0 ? sum / count : 0;
 }
 
+/// Whether forward Euler has left its region, k h > 2, where each step overshoots equilibrium by
+/// more than the step before, and has got out of all proportion by it.
+bool euler_diverged(const Params& params, double exposed, double change) {
+  constexpr double kProportion = 100;
+  const double k = params.k1 * exposed + params.k2 * (1 - exposed);
+  if (params.heat != HeatRule::euler || !(k * params.dt > 2)) return false;
+  const double scale = std::max({1.0, std::abs(params.ta), std::abs(params.g) / k});
+  return std::abs(change) > kProportion * scale;
+}
+
 }  // namespace
 
 double heat_step(const Params& params, double tb, double exposed, double contact_mean) {
@@ -44,8 +55,12 @@ Status heat(const Params& params, const State<Real>& state, int pup, double& nex
   const double exposed = state.exposed[pup];
   const double contact_mean = exposed < 1 ? mean_touched_temperature(state, pup) : 0;
   next = heat_step(params, state.tb[pup], exposed, contact_mean);
-  if (std::isfinite(next)) return {};
-  return {Status::Kind::non_finite, Stage::heat, state.step + 1, pup, -1};
+  const auto bad = [&](Status::Kind kind) {
+    return Status{kind, Stage::heat, state.step + 1, pup, -1};
+  };
+  if (!std::isfinite(next)) return bad(Status::Kind::non_finite);
+  if (euler_diverged(params, exposed, next - state.tb[pup])) return bad(Status::Kind::diverged);
+  return {};
 }
 
 template Status heat<float>(const Params&, const State<float>&, int, double&);

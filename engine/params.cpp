@@ -92,7 +92,7 @@ constexpr std::array kTable{
     row<&Params::beta>(Effect::next_step, {0, 1, 0, 1},
                        {"beta", "β", "deformation", "", "body", kPaper,
                         "How far goals follow the best quadratic fit (1) instead of the best "
-                        "rotation (0); above 0.95 bodies grow."}),
+                        "rotation (0); 1 has no shape of its own."}),
     row<&Params::gravity>(
         Effect::next_step, {0, kInfinity, 0, 50},
         {"gravity", "g", "gravity", "length/s²", "body", kPaper, "Acceleration downwards."}),
@@ -308,6 +308,15 @@ std::vector<Problem> check(const Params& params) {
         {"arena_radius",
          "arena_radius = " + number_text(params.arena_radius) +
              ": arena radius must exceed pup_radius + point_radius = " + number_text(reach)});
+  }
+  // Rounding moves a body's mean by some 3e-9 in a step; over dt that is a velocity, and from here
+  // on an acceleration like the drive's.
+  constexpr double kLeastFloatStep = 1e-4;
+  if (params.precision == Precision::float_ && params.dt > 0 && params.dt < kLeastFloatStep) {
+    problems.push_back({"dt", "dt = " + number_text(params.dt) + ": time step must be at least " +
+                                  number_text(kLeastFloatStep) +
+                                  " with precision = float, whose rounding, divided by dt, pushes "
+                                  "the pups"});
   }
   if (params.refinement == Refinement::consistent) check_refinement(params, problems);
   return problems;

@@ -3,9 +3,10 @@
 // Predict: v* = v + h f, x* = x + h v*, with the acceleration f = (drive cos theta, drive sin
 // theta, -g). Match: A = sum (x* - x*_cm) q^T over the nine quadratic monomials q of the rest
 // offsets (cloud.h), B = A (sum q q^T)^+, R the proper rotation nearest to A's linear part, T =
-// beta B + (1 - beta)[R 0 0], its linear part scaled by min(|det|^(-1/3), 3) to hold the volume;
-// goals g = T q + x*_cm; x <- x* + alpha (g - x*), v <- v* + alpha (g - x*)/h. Mueller,
-// Heidelberger, Teschner & Gross 2005, secs. 3.3, 4.2, 4.3; Wilson 2017, Methods.
+// beta B + (1 - beta)[R 0 0], its linear part scaled by min(|det|^(-1/3), 3), near beta = 1 by at
+// most 1/beta, to hold the volume; goals g = T q + x*_cm; x <- x* + alpha (g - x*), v <- v* + alpha
+// (g - x*)/h. Mueller, Heidelberger, Teschner & Gross 2005, secs. 3.3, 4.2, 4.3; Wilson 2017,
+// Methods.
 //
 // v is the same number as (x(t+h) - x(t))/h but keeps its digits at small h. With integrator =
 // explicit the goals are those of x(t), as the paper writes it: match first, velocities only, then

@@ -1,11 +1,13 @@
 #include "engine/simulation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "engine/elementary.h"
+#include "engine/health.h"
 #include "engine/start.h"
 
 namespace pupflow {
@@ -63,6 +65,11 @@ class Simulation::LitterModel final : public Simulation::Model {
   std::unique_ptr<Model> clone() const override { return std::make_unique<LitterModel>(*this); }
 
   Status advance(StageListener* listener) override {
+    for (const int pup : placed_) {
+      const Status found = find_non_finite(state_, pup, Stage::boundary);
+      if (!found.ok()) return found;
+    }
+    placed_.clear();
     return step_litter(params, plan, *cloud_, state_, workspace_, counters, listener);
   }
 
@@ -91,6 +98,7 @@ class Simulation::LitterModel final : public Simulation::Model {
       }
     }
     update_bounds(state_, pup);
+    placed_.push_back(pup);
   }
 
   Eigen::Vector3d centre(int pup) const override {
@@ -144,6 +152,7 @@ class Simulation::LitterModel final : public Simulation::Model {
   std::shared_ptr<const Cloud<Real>> cloud_;  // never changes, so copies share it
   State<Real> state_;
   Workspace<Real> workspace_;
+  std::vector<int> placed_;  // pups set by hand since the last step, whose numbers nobody has seen
 };
 
 namespace {
@@ -159,6 +168,11 @@ void require_size(std::size_t size, std::size_t expected, const char* what) {
                               " numbers, not " + std::to_string(expected));
 }
 
+void require_finite(double value, const char* what) {
+  if (std::isfinite(value)) return;
+  throw std::invalid_argument(std::string(what) + " is not a finite number");
+}
+
 void require_fitting(const Snapshot& snapshot, int pups, int points) {
   const auto n = static_cast<std::size_t>(pups), all = n * static_cast<std::size_t>(points);
   require_size(snapshot.positions.size(), 3 * all, "the snapshot's positions");
@@ -167,6 +181,10 @@ void require_fitting(const Snapshot& snapshot, int pups, int points) {
   require_size(snapshot.heading.size(), n, "the snapshot's headings");
   require_size(snapshot.exposed.size(), n, "the snapshot's exposures");
   require_size(snapshot.touched.size(), all, "the snapshot's touched pups");
+  for (const double tb : snapshot.body_temperature)
+    require_finite(tb, "a body temperature of the snapshot");
+  for (const double heading : snapshot.heading)
+    require_finite(heading, "a heading of the snapshot");
   const auto is_pup = [pups](int pup) { return pup >= 0 && pup < pups; };
   for (const int pup : snapshot.touched) {
     if (pup != -1 && !is_pup(pup))
@@ -320,6 +338,7 @@ void Simulation::set_body_temperature(int pup, double value) {
 
 void Simulation::set_heading(int pup, double radians) {
   require_pup(pup, pups());
+  require_finite(radians, "a heading to be set");
   model_->heading()[pup] = wrap_angle(radians);
 }
 

@@ -83,7 +83,8 @@ class Simulation {
   void copy_velocities(std::span<double> xyz) const;
 
   /// Replaces the cloud of one pup, e.g. to set up an experiment: 3 * points() numbers each. Throws
-  /// std::out_of_range for a pup that is not there, std::invalid_argument for a wrong size.
+  /// std::out_of_range for a pup that is not there, std::invalid_argument for a wrong size. Numbers
+  /// that are not finite (in the litter's precision) are reported by the next step, by point.
   void set_cloud(int pup, std::span<const double> positions, std::span<const double> velocities);
 
   /// Mean of a pup's points.
@@ -94,6 +95,8 @@ class Simulation {
   std::span<const double> body_temperature() const;
   std::span<const double> heading() const;
   std::span<const double> exposed() const;
+  /// Both throw std::out_of_range for a pup that is not there. A temperature that is not finite is
+  /// reported by the next heat stage; a heading that is not throws std::invalid_argument.
   void set_body_temperature(int pup, double value);
   void set_heading(int pup, double radians);
 

@@ -20,9 +20,23 @@ std::string_view stage_name(Stage stage) {
   return "unknown";
 }
 
+std::string_view kind_name(Status::Kind kind) {
+  switch (kind) {
+    case Status::Kind::fine:
+      return "fine";
+    case Status::Kind::non_finite:
+      return "non-finite number";
+    case Status::Kind::diverged:
+      return "diverged";
+    case Status::Kind::escaped:
+      return "escaped from the arena";
+  }
+  return "unknown";
+}
+
 std::string Status::message() const {
-  if (ok()) return "fine";
-  std::string text = kind == Kind::non_finite ? "non-finite number" : "diverged";
+  std::string text(kind_name(kind));
+  if (ok()) return text;
   text += " at step " + std::to_string(step) + ", stage " + std::string(stage_name(stage)) +
           ", pup " + std::to_string(pup);
   if (point >= 0) text += ", point " + std::to_string(point);

@@ -20,7 +20,9 @@ struct Status {
   enum class Kind {
     fine,
     non_finite,  // a number became infinite or NaN
-    diverged     // a point is further than 100 pup radii from its pup's centre
+    diverged,  // finite, but out of all proportion: a point is further than 100 pup radii from its
+               // pup's centre, or forward Euler drives a body temperature away from equilibrium
+    escaped    // a pup is more than 100 pup radii beyond the wall
   };
   Kind kind = Kind::fine;
   Stage stage = Stage::boundary;  // the first stage whose result was bad
@@ -33,5 +35,8 @@ struct Status {
   /// One line for people, e.g. "non-finite number at step 12, stage heat, pup 3".
   std::string message() const;
 };
+
+/// What went wrong, in words as they stand in a message.
+std::string_view kind_name(Status::Kind kind);
 
 }  // namespace pupflow

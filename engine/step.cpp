@@ -34,19 +34,6 @@ class Agenda {
   std::size_t count_ = 0;
 };
 
-/// After the last stage that moved points: bounds for the next step, and a look for bad numbers.
-template <class Real>
-Status finish_motion(const Params& params, State<Real>& state, int pup, Stage stage) {
-  const double suspect = kSuspectRadii * params.pup_radius;
-  bool sound = update_bounds(state, pup);
-  const Bounds<Real>& box = state.bounds[pup];
-  for (int axis = 0; axis < 3; ++axis) {
-    sound =
-        sound && static_cast<double>(box.high[axis]) - static_cast<double>(box.low[axis]) < suspect;
-  }
-  return sound ? Status{} : inspect_pup(state, pup, params.pup_radius, stage);
-}
-
 /// One step under way.
 template <class Real>
 struct Step {
@@ -60,13 +47,14 @@ struct Step {
   const Agenda& agenda;
   StepBody body;
 
-  Status stage_of_pup(Stage stage, int pup, StepCounters& counters) const {
+  Status stage_of_pup(Stage stage, int pup, int worker, StepCounters& counters) const {
     switch (stage) {
       case Stage::boundary:
         apply_boundaries(params, state, pup);
         return {};
       case Stage::contact:
-        return workspace.contacts.apply(params, body.contact_share, plan.afferents, state, pup);
+        return workspace.contacts.apply(params, body.contact_share, plan.afferents, state, pup,
+                                        worker);
       case Stage::steering:
         return steer(params, cloud, state, pup);
       case Stage::heat:
@@ -82,14 +70,14 @@ struct Step {
         counters.rotation_fallbacks += kind == RotationKind::regular ? 0 : 1;
         break;
     }
-    return stage == agenda.last_motion() ? finish_motion(params, state, pup, stage) : Status{};
+    return stage == agenda.last_motion() ? check_motion(params, state, pup, stage) : Status{};
   }
 
   /// Stages number `begin` ... `end` - 1 of the agenda: all of them for one pup, then for the next,
   /// while its points are at hand.
   void run(std::size_t begin, std::size_t end) const {
     if (agenda.stages()[begin] == Stage::contact) {
-      workspace.contacts.find(params, plan.afferents, state, workspace.team);
+      workspace.contacts.find(params, state, workspace.team);
     }
     const int workers = useful_workers(workspace.team, state.pups);
     workspace.team.run(workers, [&](int worker) {
@@ -97,7 +85,7 @@ struct Step {
       const PupRange share = share_of(state.pups, worker, workers);
       for (int pup = share.begin; pup < share.end; ++pup) {
         for (std::size_t place = begin; place < end; ++place) {
-          const Status status = stage_of_pup(agenda.stages()[place], pup, found.counters);
+          const Status status = stage_of_pup(agenda.stages()[place], pup, worker, found.counters);
           if (!status.ok()) keep_earliest(found, status, static_cast<int>(place));
         }
       }

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <thread>
+
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
 
@@ -41,6 +44,11 @@ void add_common(CLI::App& verb, Common& common, const CommonHelp& help) {
   verb.add_option(help.out_names, common.out, help.out)->option_text("FILE")->check(not_empty);
   verb.add_flag("--force", common.force, "Replace output files that exist");
   verb.add_flag("--quiet", common.quiet, help.quiet);
+}
+
+int thread_count(const Common& common) {
+  if (common.threads > 0) return common.threads;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 void deliver(const Common& common, const std::string& text) {

@@ -27,6 +27,7 @@ void work(const Options& options) {
   std::tie(job.width, job.height) = parse_size("--size", options.size);
   job.ui_scale = options.ui_scale;
   job.paused = options.paused;
+  job.threads = thread_count(options.common);
   job.screenshot = options.common.out;
   io::has_number(job.screenshot);  // throws for a bad pattern
   job.test_events = options.test_events;
@@ -41,7 +42,7 @@ Verb add_live(CLI::App& program) {
       program.add_subcommand("live", "Open the window: watch, orbit, pause, drag sliders");
   const auto options = std::make_shared<Options>();
   CommonHelp help;
-  help.threads = "Accepted everywhere; the litter is stepped on one thread";
+  help.threads = "Threads that share a step (default: all cores, where the litter is large enough)";
   help.out_names = "--screenshots,--out";
   help.out = "Where the screenshot key writes; %d or %0Nd stands for the step";
   help.quiet = "Accepted everywhere; the window prints nothing but errors";

@@ -58,6 +58,7 @@ void work(const Options& options) {
   std::tie(job.width, job.height) = parse_size("--size", options.size);
   view::Camera::parse(options.camera);  // throws for a bad one
   job.camera = options.camera;
+  job.threads = thread_count(options.common);
   job.bar = !options.no_bar;
   job.look = look_of(options.look);
   job.output = {options.common.out, options.common.force, options.common.quiet};
@@ -73,7 +74,7 @@ Verb add_render(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   options->common.out = "frames/%05d.png";
   CommonHelp help;
-  help.threads = "Accepted everywhere; the litter is stepped on one thread";
+  help.threads = "Threads that share a step (default: all cores, where the litter is large enough)";
   help.out =
       "The picture's file; with %d or %0Nd for the step its folder is made where missing (default "
       "frames/%05d.png)";

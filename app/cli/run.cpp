@@ -76,6 +76,7 @@ class Run {
         simulation_(std::move(start)),
         means_(simulation_.params().discard),
         summary_(!options.common.quiet) {
+    simulation_.set_threads(thread_count(options.common));
     simulation_.set_observed(files_.metrics || files_.pups || files_.recording || summary_);
   }
 
@@ -185,7 +186,9 @@ Verb add_run(CLI::App& program) {
   CLI::App* app = program.add_subcommand("run", "Step a scene without graphics; write CSV files");
   const auto options = std::make_shared<Options>();
   CommonHelp help;
-  help.threads = "Accepted everywhere; a single run always uses one thread";
+  help.threads =
+      "Threads that share a step (default: all cores, where the litter is large enough); changes "
+      "no bit of the result";
   help.out_names = "--csv,--out";
   help.out = "Write the litter's observables, a row a step ('-' for standard output)";
   help.quiet = "No summary at the end and no progress";

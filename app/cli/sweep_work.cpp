@@ -1,8 +1,6 @@
 #include "app/cli/sweep_work.h"
 
-#include <algorithm>
 #include <memory>
-#include <thread>
 
 #include "app/cli/ranks.h"
 #include "app/io/atomic_file.h"
@@ -13,10 +11,9 @@
 namespace pupflow::cli {
 namespace {
 
-int thread_count(const Common& common, const mpi::Membership& self) {
-  if (common.threads > 0) return common.threads;
-  if (self.size > 1) return 1;  // launchers start one rank per core
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+int threads_of_rank(const Common& common, const mpi::Membership& self) {
+  const bool one_of_many = self.size > 1;  // launchers start one rank per core
+  return one_of_many && common.threads == 0 ? 1 : thread_count(common);
 }
 
 study::Design design_of(const SweepOptions& options, const std::string& name) {
@@ -58,7 +55,7 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
 
 void run_sweep_verb(const SweepOptions& options, const std::string& name) {
   mpi::Membership self = launched();
-  self.threads = thread_count(options.common, self);
+  self.threads = threads_of_rank(options.common, self);
   std::unique_ptr<study::Crew> crew;
   if (self.size > 1) {
     mpi::Ranks& ranks = load_ranks(self);

@@ -53,6 +53,9 @@ std::string not_empty(const std::string& text);
 /// Declares the common options.
 void add_common(CLI::App& verb, Common& common, const CommonHelp& help);
 
+/// The threads asked for, or one for each core.
+int thread_count(const Common& common);
+
 /// Text to standard output, or to the file of --out. Throws Failure(bad_file).
 void deliver(const Common& common, const std::string& text);
 

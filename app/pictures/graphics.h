@@ -32,6 +32,7 @@ struct Output {
 struct RenderJob {
   Params params;
   std::vector<std::int64_t> at;  // sorted, without repeats
+  int threads = 1;               // that share a step
   int width = 1280, height = 960;
   std::string camera = "orbit:30,35";  // top | side | orbit:azimuth,elevation[,distance]
   bool bar = true;                     // draw the colour bar
@@ -54,6 +55,7 @@ struct LiveJob {
   Params params;
   Look look;
   int width = 1400, height = 900;
+  int threads = 1;           // that share a step
   double ui_scale = 0;       // 0: the display's
   bool paused = false;       // start paused
   std::string screenshot;    // pattern for screenshots, with %d for the step

@@ -103,6 +103,7 @@ void advance(Simulation& simulation, std::int64_t step, io::Progress& progress, 
 void render(const RenderJob& job) {
   check_job(job);
   Simulation simulation = unobserved_litter(job.params);
+  simulation.set_threads(job.threads);
   Frame frame(job.width, job.height, job.bar);
   const view::Camera camera = framed_camera(job.camera, job.params, frame.scene_aspect());
   Studio studio(job.look);

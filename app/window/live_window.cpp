@@ -45,10 +45,11 @@ LiveWindow::LiveWindow(const pictures::LiveJob& job)
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
       arena_(job.look),
       events_(job.test_events),
-      runner_(
-          {.params = job.params, .playing = !job.paused, .hashed = job.test_events, .notify = [] {
-             glfwPostEmptyEvent();
-           }}) {
+      runner_({.params = job.params,
+               .playing = !job.paused,
+               .threads = job.threads,
+               .hashed = job.test_events,
+               .notify = [] { glfwPostEmptyEvent(); }}) {
   picture_path(job.screenshot, 0);  // a bad pattern fails now, not when a picture is wanted
   controls_.params = job.params;
   controls_.look = job.look;

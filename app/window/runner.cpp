@@ -24,7 +24,7 @@ Clock::time_point time_point(double seconds_since_epoch) {
 
 Runner::Runner(Options options)
     : options_(std::move(options)),
-      session_(options_.params, options_.playing),
+      session_(options_.params, options_.playing, options_.threads),
       thread_([this] { loop(); }) {}
 
 Runner::~Runner() {

@@ -22,6 +22,7 @@ class Runner {
   struct Options {
     Params params;
     bool playing = true;
+    int threads = 1;               // that share a step
     bool hashed = false;           // snapshots carry the hash
     std::function<void()> notify;  // called on the runner's thread after a snapshot is out
   };

@@ -5,7 +5,9 @@
 
 namespace pupflow::window {
 
-Session::Session(const Params& params, bool playing) : simulation_(params), playing_(playing) {
+Session::Session(const Params& params, bool playing, int threads)
+    : simulation_(params), threads_(threads), playing_(playing) {
+  simulation_.set_threads(threads_);
   simulation_.set_observed(false);
 }
 
@@ -59,6 +61,7 @@ void Session::restart(const Params& params) {
   }
   pending_ = 0;
   edited_at_ = 0;
+  simulation_.set_threads(threads_);
   simulation_.set_observed(observed_);
   look_anew();
 }

@@ -58,7 +58,7 @@ struct Snapshot {
 class Session {
  public:
   /// Throws InvalidParams.
-  Session(const Params& params, bool playing);
+  Session(const Params& params, bool playing, int threads = 1);
 
   void apply(const Command& command);
 
@@ -88,6 +88,7 @@ class Session {
   std::optional<Observer> observer_;  // none while nobody looks, and before its first step
   std::optional<Observables> observables_;
   History history_;
+  int threads_;  // that share a step
   bool observed_ = false, suspended_ = false, playing_, changed_ = true;
   std::int64_t edited_at_ = 0;
   std::int64_t pending_ = 0;  // steps still to be made by Advance

@@ -163,8 +163,8 @@ TEST_F(CliRun, StandardOutputCarriesTheRowsAlone) {
 }
 
 TEST_F(CliRun, BadNumbersKeepTheRowsBefore) {
-  const Outcome outcome =
-      pupflow({"run", "--set", "beta=1", "--csv", "m.csv", "--pups", "p.csv", "--quiet"});
+  const Outcome outcome = pupflow({"run", "--set", "heat=euler", "--set", "k1=500", "--csv",
+                                   "m.csv", "--pups", "p.csv", "--quiet"});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, testing::MatchesRegex("pupflow: [^\n]+ at step [0-9]+, stage [^\n]+\n"));
   const std::string reason = outcome.err.substr(9, outcome.err.size() - 10);

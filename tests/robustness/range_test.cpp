@@ -42,6 +42,7 @@ TEST_P(RangeEnds, StepToAFiniteStateOrANamedStatus) {
     row.set(p, end);
     if (row.name == "pup_radius" || row.name == "point_radius") p.arena_radius = 4e6;
     if (row.name == "arena_radius") p.arena_radius = std::max(end, 0.3 + 1e-12);
+    if (row.name == "dt" && p.precision == Precision::float_) p.dt = std::max(p.dt, 1e-4);
     ASSERT_TRUE(check(p).empty()) << row.name << " = " << end << ": " << check(p)[0].message;
     const int steps = p.pups > 1000 ? 20 : 100;
     Simulation s(p);
@@ -79,6 +80,19 @@ TEST(Range, AmbientTemperaturesFarOutWork) {
     EXPECT_TRUE(s.run(600).ok()) << ta;
     EXPECT_TRUE(all_finite(s));
   }
+}
+
+TEST(Range, SinglePrecisionRefusesTinySteps) {
+  Params p;
+  p.dt = 0.99e-4;
+  EXPECT_TRUE(check(p).empty());
+  p.precision = Precision::float_;
+  const std::vector<Problem> problems = check(p);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].parameter, "dt");
+  EXPECT_THROW(Simulation{p}, InvalidParams);
+  p.dt = 1e-4;
+  EXPECT_TRUE(check(p).empty());
 }
 
 TEST(Range, AlphaAndBetaAtTheirEndsInAllCombinations) {

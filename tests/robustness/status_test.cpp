@@ -1,4 +1,5 @@
 // Bad numbers are reported at the very step, by stage, pup and point, and nothing is repaired.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,18 +15,40 @@ using testing::Points;
 TEST(Status, ANonFinitePointIsNamed) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    Simulation s{Params{}};
-    s.run(5);
-    Points x = testing::of_pup(s, 7, testing::all_positions(s));
-    const Points v = testing::of_pup(s, 7, testing::all_velocities(s));
-    x[123].y() = bad;
-    testing::place(s, 7, x, v);
-    const Status status = s.step();
-    EXPECT_EQ(status.kind, Status::Kind::non_finite);
-    EXPECT_EQ(status.step, 6);
-    EXPECT_EQ(status.pup, 7);
-    EXPECT_GE(status.point, 0);
+    for (const bool moving : {false, true}) {
+      Simulation s{Params{}};
+      s.run(5);
+      Points x = testing::of_pup(s, 7, testing::all_positions(s));
+      Points v = testing::of_pup(s, 7, testing::all_velocities(s));
+      (moving ? v : x)[123].y() = bad;
+      testing::place(s, 7, x, v);
+      const Status status = s.step();
+      EXPECT_EQ(status.kind, Status::Kind::non_finite);
+      EXPECT_EQ(status.stage, Stage::boundary);
+      EXPECT_EQ(status.step, 6);
+      EXPECT_EQ(status.pup, 7);
+      EXPECT_EQ(status.point, 123);
+    }
   }
+}
+
+TEST(Status, ANumberTooLargeForFloatIsNamed) {
+  Params p;
+  p.precision = Precision::float_;
+  Simulation s(p);
+  Points x = testing::of_pup(s, 3, testing::all_positions(s));
+  x[5].z() = 1e300;
+  testing::place(s, 3, x, Points(x.size(), Eigen::Vector3d::Zero()));
+  EXPECT_EQ(s.step().message(), "non-finite number at step 1, stage boundary, pup 3, point 5");
+}
+
+TEST(Status, AHeadingThatIsNoNumberIsRefused) {
+  Simulation s{Params{}};
+  EXPECT_THROW(s.set_heading(0, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(s.set_heading(0, HUGE_VAL), std::invalid_argument);
+  Snapshot snapshot = s.snapshot();
+  snapshot.body_temperature[2] = std::nan("");
+  EXPECT_THROW(Simulation{snapshot}, std::invalid_argument);
 }
 
 TEST(Status, ABadStatusStays) {
@@ -56,14 +79,73 @@ TEST(Status, ARunawayPointHasDiverged) {
   EXPECT_EQ(status.message(), "diverged at step 26, stage predict, pup 0, point 42");
 }
 
-TEST(Status, FiniteGrowthAtBetaOneIsReported) {
+// Twelve pups land on each other: with a volume factor of up to 3 whatever beta is, bodies at beta
+// = 1 were 100 radii long within some hundred steps.
+TEST(Status, NearBetaOneBodiesDoNotFeedOnTheirSize) {
+  for (const double beta : {0.95, 0.98, 1.0}) {
+    for (const double alpha : {0.3, 0.7, 1.0}) {
+      Params p;
+      p.alpha = alpha;
+      p.beta = beta;
+      p.precision = Precision::float_;
+      Simulation s(p);
+      EXPECT_TRUE(s.run(1500).ok()) << alpha << ' ' << beta << ' ' << s.status().message();
+      for (int pup = 0; pup < s.pups(); ++pup) {
+        for (const auto& point : testing::of_pup(s, pup, testing::all_positions(s)))
+          EXPECT_LT((point - s.centre(pup)).norm(), 20 * p.pup_radius);  // the arena's diameter: 16
+      }
+    }
+  }
+}
+
+// Beyond the wall a step makes v <- (v - 1)/2 + h f and moves by h (v_before - 1)/2 + h v: outwards
+// for ever when h f > 2/3.
+TEST(Status, ADriveThatOutrunsTheWallIsReported) {
+  for (const Precision precision : {Precision::float_, Precision::double_}) {
+    Params p;
+    p.pups = 1;
+    p.precision = precision;
+    p.drive = 60;
+    Simulation held(p);
+    EXPECT_TRUE(held.run(20000).ok()) << held.status().message();
+    p.drive = 75;
+    Simulation lost(p);
+    const Status status = lost.run(20000);
+    EXPECT_EQ(status.kind, Status::Kind::escaped);
+    EXPECT_EQ(status.pup, 0);
+    const Eigen::Vector3d centre = lost.centre(0);
+    const double beyond = std::hypot(centre.x(), centre.y()) - p.arena_radius;
+    EXPECT_NEAR(beyond, 100 * p.pup_radius, 2 * p.pup_radius);
+    EXPECT_THAT(status.message(), ::testing::StartsWith("escaped from the arena at step "));
+  }
+}
+
+TEST(Status, NobodyIsSoonTooFarOutToBeSeen) {
   Params p;
-  p.beta = 1;
+  p.drive = 1e300;  // all points of a pup fall into one there
   Simulation s(p);
-  const Status status = s.run(20000);
-  EXPECT_EQ(status.kind, Status::Kind::diverged);
-  EXPECT_EQ(status.stage, Stage::shape_match);
-  EXPECT_EQ(status.step, s.steps_done() + 1);
+  const Status status = s.run(10);
+  EXPECT_EQ(status.kind, Status::Kind::escaped);
+  EXPECT_EQ(status.step, 1);
+}
+
+TEST(Status, EulerHeatBeyondItsRegionIsReported) {
+  Params p;
+  p.pups = 1;
+  p.heat = HeatRule::euler;
+  for (const double k1_h : {1.5, 1.99, 2.01, 2.5, 20.0}) {
+    p.k1 = k1_h / p.dt;
+    Simulation s(p);
+    const Status status = s.run(3000);
+    EXPECT_EQ(status.ok(), k1_h < 2) << k1_h;
+    if (status.ok()) continue;
+    EXPECT_EQ(status.kind, Status::Kind::diverged);
+    EXPECT_EQ(status.stage, Stage::heat);
+    // |1 - k1 h|^n |T_b(0) - T_eq| k1 h > 100
+    const double equilibrium = p.ta + p.g / p.k1;
+    const double n = std::log(100 / (k1_h * (p.tb0 - equilibrium))) / std::log(k1_h - 1);
+    EXPECT_NEAR(static_cast<double>(status.step), n + 1, 1) << k1_h;
+  }
 }
 
 TEST(Status, TheExplicitFormBlowsUpAndSaysSo) {

@@ -80,9 +80,9 @@ TEST_F(Merge, DoesNotOverwriteAnotherSweepUnlessForced) {
 
 TEST_F(Merge, CarriesOnThatRunsWentWrong) {
   for (const std::string i : {"1", "2"}) {
-    pupflow({"sweep", "--set", "pups=3", "--set", "face_points=3", "--set", "beta=1", "--steps",
-             "300", "--set", "discard=20", "--vary", "alpha=0,0.7", "--seeds", "2", "--out",
-             "s" + i, "--shard", i + "/2"});
+    pupflow({"sweep", "--set", "pups=3", "--set", "face_points=3", "--set", "heat=euler", "--steps",
+             "300", "--set", "discard=20", "--vary", "k1=0.9,500", "--seeds", "2", "--out", "s" + i,
+             "--shard", i + "/2"});
   }
   EXPECT_THAT(expect(3, {"merge", "s1", "s2", "--out", "merged"}),
               HasSubstr("2 of 4 runs went wrong"));

@@ -104,13 +104,13 @@ TEST_F(Sweep, RefusesToGoOnWithOtherParameters) {
 }
 
 TEST_F(Sweep, RecordsRunsThatGoWrongAndEndsWithThree) {
-  const Words words{"sweep",      "--set",  "pups=3",      "--set",   "face_points=3",
-                    "--set",      "beta=1", "--steps",     "300",     "--set",
-                    "discard=20", "--vary", "alpha=0,0.7", "--seeds", "2",
+  const Words words{"sweep",      "--set",      "pups=3",     "--set",   "face_points=3",
+                    "--set",      "heat=euler", "--steps",    "300",     "--set",
+                    "discard=20", "--vary",     "k1=0.9,500", "--seeds", "2",
                     "--out",      "s"};
   const std::string said = expect(3, words);
   EXPECT_THAT(said, AllOf(HasSubstr("2 of 4 runs went wrong"), HasSubstr("run 2 (seed "),
-                          HasSubstr("diverged at step"), HasSubstr("stage shape_match")));
+                          HasSubstr("diverged at step"), HasSubstr("stage heat")));
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
   const auto rows = rows_of(path("s/runs.csv"));
   ASSERT_THAT(rows, SizeIs(4));
@@ -127,9 +127,9 @@ TEST_F(Sweep, RecordsRunsThatGoWrongAndEndsWithThree) {
 }
 
 TEST_F(Sweep, DrawsNothingWhenNoRunWasFine) {
-  const Outcome outcome =
-      pupflow({"sweep", "--set", "pups=3", "--set", "face_points=3", "--set", "beta=1", "--steps",
-               "300", "--set", "discard=20", "--vary", "ta=0,1", "--seeds", "2", "--out", "s"});
+  const Outcome outcome = pupflow({"sweep", "--set", "pups=3", "--set", "face_points=3", "--set",
+                                   "heat=euler", "--set", "k1=500", "--steps", "300", "--set",
+                                   "discard=20", "--vary", "ta=0,1", "--seeds", "2", "--out", "s"});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.out, HasSubstr("no plot: no run was fine"));
   EXPECT_THAT(names_of(path("s")), ElementsAre("manifest.toml", "runs.csv", "summary.csv"));

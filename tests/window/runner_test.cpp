@@ -138,7 +138,8 @@ TEST(Runner, AnEditInTheMiddleOfARunIsTaken) {
 TEST(Runner, ABadStatusIsPublishedAndPauses) {
   Params params;
   params.pups = 1;
-  params.beta = 1;
+  params.heat = HeatRule::euler;
+  params.k1 = 500;
   Watched runner(true, params);
   runner->send(Speed{std::numeric_limits<double>::infinity()});
   const Snapshot& snapshot = runner.await([](const Snapshot& s) { return !s.status.ok(); });

@@ -13,11 +13,12 @@ Params small_litter() {
   return params;
 }
 
-/// Bodies that grow without end: the status turns bad within some hundred steps.
+/// Heat by forward Euler far outside its region: the status turns bad within some steps.
 Params runaway() {
   Params params;
   params.pups = 2;
-  params.beta = 1;
+  params.heat = HeatRule::euler;
+  params.k1 = 500;
   return params;
 }
 

@@ -21,13 +21,11 @@ struct Crowd {
   int pups() const { return simulation.pups(); }
 };
 
-/// Microseconds a pup and step.
+/// Microseconds of processor time a pup and step.
 double pup_step_time(Crowd& crowd) {
-  std::vector<double> times;
-  for (int step = 0; step < std::max(3, kPupSteps / crowd.pups()); ++step) {
-    times.push_back(microseconds([&] { crowd.simulation.step(); }));
-  }
-  return median(std::move(times)) / crowd.pups();
+  const int steps = std::max(3, kPupSteps / crowd.pups());
+  const double time = busy_microseconds([&] { crowd.simulation.run(steps); });
+  return time / steps / crowd.pups();
 }
 
 template <Precision kPrecision>

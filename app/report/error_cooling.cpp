@@ -86,7 +86,7 @@ Scene cooling_scene(bool quick) {
   const int finest = quick ? 16 : 256;
   scene.curves = {{"exact", halved_naively(exact, 4), false, {}},
                   {"Euler", halved(euler, finest), true, {}},
-                  {"exact, float", halved_naively(narrow, 4), false, {}}};
+                  {"exact in float", halved_naively(narrow, 4), false, {}}};
   scene.standard = {"dt = 0.01, exact, double", exact, 0};
   set_reference(scene, exact, 1);
   scene.reference.label = "the closed form";

@@ -1,4 +1,5 @@
 // Scene 1 of the error report: a pup falls and lands.
+#include <algorithm>
 #include <cmath>
 
 #include "app/report/error_scenes.h"
@@ -53,13 +54,14 @@ Scene fall_scene(bool quick) {
   narrow.precision = Precision::float_;
   undamped.integrator = Integrator::explicit_;
   const int finest = quick ? 8 : 32;
-  scene.curves = {{"consistent", halved(p, finest), true, {}},
-                  {"naive", halved_naively(p, finest), false, {}},
-                  {"consistent, float", halved(narrow, finest), false, {}},
-                  {"explicit", halved(undamped, finest), false, {}},
-                  points_curve(p, quick)};
+  scene.curves = {
+      {"consistent", halved(p, finest), true, {}},
+      {"naive", halved_naively(p, finest), false, {}},
+      {"consistent in float", halved(narrow, std::min(finest, kFinestFloat)), false, {}},
+      {"explicit", halved(undamped, finest), false, {}},
+      points_curve(p, quick)};
   scene.standard = {"dt = 0.01, predictive, double", p, 0};
-  set_reference(scene, p, finest);
+  set_reference(scene, p, 64 * finest);
   scene.run = [](const Setting& s) { return run(s, 20); };
   scene.closed_form = closed_form;
   return scene;

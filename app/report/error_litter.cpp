@@ -113,10 +113,10 @@ std::vector<std::pair<std::string, std::pair<std::string, Params>>> variations(b
     p.steps = std::llround(static_cast<double>(p.steps) / factor);
     p.discard = std::llround(static_cast<double>(p.discard) / factor);
   };
-  add("dt, naive", "dt = 0.02", [&](Params& p) { with_step(p, 2); });
-  add("dt, naive", "dt = 0.005", [&](Params& p) { with_step(p, 0.5); });
+  add("step (naive)", "dt = 0.02", [&](Params& p) { with_step(p, 2); });
+  add("step (naive)", "dt = 0.005", [&](Params& p) { with_step(p, 0.5); });
   for (const int parts : {2, 4}) {
-    add("dt, consistent", "dt = 0.01/" + std::to_string(parts), [&](Params& p) {
+    add("step (consistent)", "dt = 0.01/" + std::to_string(parts), [&](Params& p) {
       with_step(p, 1.0 / parts);
       p.refinement = Refinement::consistent;
     });
@@ -173,8 +173,8 @@ void add_plot(Report& report, const Params& params) {
   std::string body =
       "  set logscale xy\n  set xlabel 'CPU seconds'\n  set grid lc '#dddddd'\n"
       "  set multiplot layout 1,4 margins 0.05,0.985,0.3,0.92 spacing 0.055,0\n";
-  const char* const groups[] = {"seeds",          "points",    "steps", "dt, naive",
-                                "dt, consistent", "precision", "heat"};
+  const char* const groups[] = {"seeds",     "points", "steps", "step (naive)", "step (consistent)",
+                                "precision", "heat"};
   const char* const colors[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                 "#E69F00", "#56B4E9", "#444444"};
   for (std::size_t i = 0; i < kMeans; ++i) {

@@ -1,4 +1,5 @@
 // Scene 4 of the error report: two pups pressed together by their drive.
+#include <algorithm>
 #include <cmath>
 
 #include "app/report/error_scenes.h"
@@ -49,6 +50,7 @@ Scene press_scene(bool quick) {
       "fine run: the distance of their centres, the share of the first pup's points in contact, "
       "and "
       "the temperature that it has lost.";
+  scene.smallest_drawn = 1e-3;
   scene.quantities = {
       {"distance", "distance"}, {"contact", "contact area"}, {"heat", "heat exchanged"}};
   const Params p = pair();
@@ -56,15 +58,16 @@ Scene press_scene(bool quick) {
   narrow.precision = Precision::float_;
   undamped.integrator = Integrator::explicit_;
   euler.heat = HeatRule::euler;
-  const int finest = quick ? 8 : 32;
-  scene.curves = {{"consistent", halved(p, finest), true, {}},
-                  {"naive", halved_naively(p, finest), false, {}},
-                  {"consistent, float", halved(narrow, finest), false, {}},
-                  {"consistent, Euler heat", halved(euler, finest), false, {}},
-                  {"explicit", halved(undamped, finest), false, {}},
-                  points_curve(p, quick)};
+  const int finest = quick ? 4 : 16;
+  scene.curves = {
+      {"consistent", halved(p, finest), true, {}},
+      {"naive", halved_naively(p, finest), false, {}},
+      {"consistent in float", halved(narrow, std::min(finest, kFinestFloat)), false, {}},
+      {"consistent with Euler heat", halved(euler, finest), false, {}},
+      {"explicit", halved(undamped, finest), false, {}},
+      points_curve(p, quick)};
   scene.standard = {"dt = 0.01, predictive, double", p, 0};
-  set_reference(scene, p, finest);
+  set_reference(scene, p, 256 * finest);
   scene.run = run;
   return scene;
 }

@@ -1,5 +1,6 @@
 // Scene 2 of the error report: a pup turns without weight.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "app/report/error_scenes.h"
@@ -96,13 +97,14 @@ Scene spin_scene(bool quick) {
   narrow.precision = Precision::float_;
   undamped.integrator = Integrator::explicit_;
   const int finest = quick ? 8 : 32;
-  scene.curves = {{"consistent", halved(p, finest), true, {}},
-                  {"naive", halved_naively(p, finest), false, {}},
-                  {"consistent, float", halved(narrow, finest), false, {}},
-                  {"explicit", halved(undamped, finest), false, {}},
-                  rotation_curve(p)};
+  scene.curves = {
+      {"consistent", halved(p, finest), true, {}},
+      {"naive", halved_naively(p, finest), false, {}},
+      {"consistent in float", halved(narrow, std::min(finest, kFinestFloat)), false, {}},
+      {"explicit", halved(undamped, finest), false, {}},
+      rotation_curve(p)};
   scene.standard = {"dt = 0.01, Newton, double", p, 0};
-  set_reference(scene, p, finest);
+  set_reference(scene, p, 64 * finest);
   scene.run = run;
   scene.closed_form = closed_form;
   return scene;

@@ -1,4 +1,5 @@
 // Scene 3 of the error report: a squeezed pup springs back.
+#include <algorithm>
 #include <cmath>
 
 #include "app/report/error_scenes.h"
@@ -101,6 +102,7 @@ Scene squeeze_scene(bool quick) {
       "explicit integrator has another limit as well, an oscillator without damping. Deformations "
       "are 10⁻⁴ of the radius, so the closed form is off by about as much, and floats resolve only "
       "three digits of them.";
+  scene.smallest_drawn = 1e-3;
   scene.quantities = {
       {"bend", "bend (fitted)"}, {"growth", "growth (volume)"}, {"ripple", "ripple (not fitted)"}};
   const Params p = pup();
@@ -108,11 +110,12 @@ Scene squeeze_scene(bool quick) {
   narrow.precision = Precision::float_;
   undamped.integrator = Integrator::explicit_;
   const int finest = quick ? 16 : 128;
-  scene.curves = {{"consistent", halved(p, finest), true, {}},
-                  {"naive", halved_naively(p, finest), false, {}},
-                  {"consistent, float", halved(narrow, finest), false, {}},
-                  {"explicit", halved(undamped, finest), false, {}},
-                  rotation_curve(p)};
+  scene.curves = {
+      {"consistent", halved(p, finest), true, {}},
+      {"naive", halved_naively(p, finest), false, {}},
+      {"consistent in float", halved(narrow, std::min(finest, kFinestFloat)), false, {}},
+      {"explicit", halved(undamped, finest), false, {}},
+      rotation_curve(p)};
   scene.standard = {"dt = 0.01, Newton, double", p, 0};
   set_reference(scene, p, 1);
   scene.reference.label = "the closed form of the linear response";

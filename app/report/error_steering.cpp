@@ -1,4 +1,5 @@
 // Scene 6 of the error report: a pup passes a fixed warm neighbour.
+#include <algorithm>
 #include "app/report/error_scenes.h"
 #include "app/report/pups.h"
 
@@ -49,19 +50,21 @@ Scene steering_scene(bool quick) {
       "A cold pup (T_b = 0.4) passes a warm one (0.9) that is put back into its place after every "
       "step, grazes it and turns towards it, for one second, without weight. Held against a fine "
       "run: its path and its course θ.";
+  scene.smallest_drawn = 1e-3;
   scene.quantities = {{"path", "path"}, {"course", "course"}};
   const Params p = passing();
   Params narrow = p, undamped = p;
   narrow.precision = Precision::float_;
   undamped.integrator = Integrator::explicit_;
-  const int finest = quick ? 8 : 32;
-  scene.curves = {{"consistent", halved(p, finest), true, {}},
-                  {"naive", halved_naively(p, finest), false, {}},
-                  {"consistent, float", halved(narrow, finest), false, {}},
-                  {"explicit", halved(undamped, finest), false, {}},
-                  points_curve(p, quick)};
+  const int finest = quick ? 4 : 16;
+  scene.curves = {
+      {"consistent", halved(p, finest), true, {}},
+      {"naive", halved_naively(p, finest), false, {}},
+      {"consistent in float", halved(narrow, std::min(finest, kFinestFloat)), false, {}},
+      {"explicit", halved(undamped, finest), false, {}},
+      points_curve(p, quick)};
   scene.standard = {"dt = 0.01, predictive, double", p, 0};
-  set_reference(scene, p, finest);
+  set_reference(scene, p, 256 * finest);
   scene.run = run;
   return scene;
 }

@@ -124,13 +124,13 @@ std::vector<Setting> halved_naively(const Params& params, int finest) {
   return settings;
 }
 
-void set_reference(Scene& scene, const Params& params, int finest) {
-  scene.finer = refined(params, 128 * finest);
-  scene.reference = refined(params, 64 * finest);
+void set_reference(Scene& scene, const Params& params, int parts) {
+  scene.finer = refined(params, 2 * parts);
+  scene.reference = refined(params, parts);
   for (Setting* setting : {&scene.finer, &scene.reference}) {
     setting->params.precision = Precision::double_;
   }
-  scene.reference.label = "a run in double with a step of 0.01/" + std::to_string(128 * finest);
+  scene.reference.label = "a run in double with a step of 0.01/" + std::to_string(2 * parts);
 }
 
 Curve points_curve(const Params& params, bool quick) {

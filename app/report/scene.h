@@ -30,7 +30,7 @@ struct Setting {
 
 /// Settings that differ in one thing, from cheap to dear; a line in the plot.
 struct Curve {
-  std::string name;
+  std::string name;  // without commas
   std::vector<Setting> settings;
   bool refines = false;            // each setting halves the step of the one before it
   std::vector<Setting> reference;  // empty: the scene's; else one setting to measure against
@@ -47,9 +47,10 @@ struct Scene {
   std::string about;  // what happens and what the right answer is: a paragraph or two
   std::vector<Quantity> quantities;
   std::vector<Curve> curves;
-  Setting standard;   // the default: marked in table and plot
-  Setting reference;  // what the right answer comes from
-  Setting finer;      // its step halved: shows that the reference has converged
+  double smallest_drawn = 1e-6;  // lower end of the plot's errors
+  Setting standard;              // the default: marked in table and plot
+  Setting reference;             // what the right answer comes from
+  Setting finer;                 // its step halved: shows that the reference has converged
   std::function<Outcome(const Setting&)> run;
   /// Replaces the reference's values of quantities that have a closed form; may be empty.
   std::function<void(Trajectory&)> closed_form;

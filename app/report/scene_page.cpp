@@ -13,7 +13,9 @@ constexpr const char* kColors[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                    "#E69F00", "#56B4E9", "#444444", "#B8A800"};
 
 void write_row(io::CsvFile& csv, const std::string& curve, const Measured& point) {
-  csv.cell(std::string_view(curve)).cell(std::string_view(point.setting.label));
+  std::string label = point.setting.label;
+  std::replace(label.begin(), label.end(), ',', ';');
+  csv.cell(std::string_view(curve)).cell(std::string_view(label));
   csv.cell(point.setting.params.dt).cell(point.seconds);
   for (const double error : point.errors) csv.cell(error);
   for (const double order : point.orders) csv.cell(order);
@@ -59,7 +61,9 @@ void add_table(Report& report, const Scene& scene, const SceneResult& result) {
 std::string plot_of(const Scene& scene, const SceneResult& result) {
   std::ostringstream s;
   const std::string file = "'" + scene.name + ".csv'";
-  s << "  set logscale xy\n  set format '10^{%L}'\n  set xlabel 'wall time, s a model second'\n"
+  s << "  set yrange [" << scene.smallest_drawn
+    << ":*]\n  set logscale xy\n  set format '10^{%L}'\n  set xlabel 'wall time, s a model "
+       "second'\n"
     << "  set grid lc '#dddddd'\n  set multiplot layout 1," << scene.quantities.size()
     << " margins 0.08,0.97,0.36,0.92 spacing 0.09,0\n";
   for (std::size_t q = 0; q < scene.quantities.size(); ++q) {
@@ -69,10 +73,10 @@ std::string plot_of(const Scene& scene, const SceneResult& result) {
                  : "unset key")
       << "\n  plot ";
     const auto line = [&](const std::string& method, const std::string& style) {
-      // An error of 0 is no point on a logarithmic axis.
+      // What is too small to matter beside the rest is drawn at the lower edge.
       s << file << " using (strcol('method') eq '" << method
-        << "' ? column('seconds') : NaN):(column('" << error << "') > 0 ? column('" << error
-        << "') : 1e-17) with " << style;
+        << "' ? column('seconds') : NaN):(column('" << error << "') < " << scene.smallest_drawn
+        << " ? " << scene.smallest_drawn << " : column('" << error << "')) with " << style;
     };
     for (std::size_t c = 0; c < result.curves.size(); ++c) {
       line(result.curves[c].name, "linespoints lw 1.6 pt 7 ps 0.6 lc '" +
@@ -105,8 +109,12 @@ void show(Report& report, const Scene& scene, const SceneResult& result) {
   report.text(scene.about);
   report.text(reference_words(scene, result));
   write_csv(report, scene, result);
-  report.figure(scene.name, scene.title + ": error against wall time", plot_of(scene, result),
-                scene.standard.params, 460 * static_cast<int>(scene.quantities.size()) + 100, 520);
+  report.figure(scene.name,
+                scene.title +
+                    ": error against wall time, both logarithmic; errors below the lower edge are "
+                    "drawn on it",
+                plot_of(scene, result), scene.standard.params,
+                460 * static_cast<int>(scene.quantities.size()) + 100, 520);
   add_table(report, scene, result);
 }
 

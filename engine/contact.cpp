@@ -54,8 +54,7 @@ void Contacts<Real>::Side::make_room(int stride) {
 template <class Real>
 void Contacts<Real>::make_room(const State<Real>& state, int workers, std::size_t pairs) {
   workers_.resize(workers);
-  const std::size_t usual =
-      state.row(state.pups) / workers;  // one touch a point is more than usual
+  const std::size_t usual = 2 * state.row(state.pups) / workers;  // few points touch two pups
   for (Worker& worker : workers_) {
     worker.first.make_room(state.stride);
     worker.second.make_room(state.stride);

@@ -17,11 +17,12 @@ constexpr int padded(int count) {
   return (count + kLanes<Real> - 1) / kLanes<Real> * kLanes<Real>;
 }
 
-/// Room for `points` points of which the second half mirrors the first: whole packs, also when they
-/// are counted from the middle.
+/// Room for `points` points, in whole packs, also when they are counted from the middle: the second
+/// half of a cloud mirrors the first.
 template <class Real>
 constexpr int stride_for(int points) {
-  return padded<Real>(points / 2 + padded<Real>(points / 2));
+  const int half = points / 2, mirrored = half + padded<Real>(half);
+  return padded<Real>(points > mirrored ? points : mirrored);
 }
 
 }  // namespace pupflow

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace pupflow {
 
-/// All workers but the first. They wait for `round_` to change; the low bits of nothing else are
-/// shared but the job itself, which is written before the round begins.
+/// All workers but the first. They wait for `round_` to change; the job is written before that, and
+/// nothing changes until all have finished the round.
 class Team::Threads {
  public:
   explicit Threads(int count) {
@@ -32,8 +34,9 @@ class Team::Threads {
     workers_ = workers;
     busy_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);
     begin_round();
-    call(job, 0);
+    work(0);
     for (int left = busy_.load(); left != 0; left = busy_.load()) busy_.wait(left);
+    if (failed_.exchange(false)) std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 
  private:
@@ -42,18 +45,28 @@ class Team::Threads {
     round_.notify_all();
   }
 
+  void work(int worker) {
+    try {
+      call_(job_, worker);
+    } catch (...) {
+      if (!failed_.exchange(true)) failure_ = std::current_exception();
+    }
+  }
+
   void serve(int worker) {
     for (std::uint32_t seen = 0;;) {
       round_.wait(seen);
       seen = round_.load();
       if (stop_) return;
-      if (worker < workers_) call_(job_, worker);
+      if (worker < workers_) work(worker);
       if (busy_.fetch_sub(1) == 1) busy_.notify_one();
     }
   }
 
   std::atomic<std::uint32_t> round_{0};
   std::atomic<int> busy_{0};  // workers that have not finished this round
+  std::atomic<bool> failed_{false};
+  std::exception_ptr failure_;  // the first; written by whoever set failed_
   bool stop_ = false;
   int workers_ = 0;
   void (*call_)(void*, int) = nullptr;

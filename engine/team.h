@@ -23,7 +23,7 @@ class Team {
   int size() const { return size_; }
 
   /// Calls `job(worker)` once for each worker 0 ... workers - 1, at the same time, and returns when
-  /// all are done. `workers` is at most size(); `job` must not throw.
+  /// all are done; then throws what one of them has thrown. `workers` is at most size().
   template <class Job>
   void run(int workers, Job&& job) {
     if (workers <= 1) {

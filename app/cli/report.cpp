@@ -9,6 +9,7 @@
 #include "app/io/nearest.h"
 #include "app/io/text.h"
 #include "app/report/error.h"
+#include "app/report/stability.h"
 
 namespace pupflow::cli {
 namespace {
@@ -19,7 +20,8 @@ struct Kind {
   void (*make)(const report::Options&);
 };
 
-constexpr Kind kKinds[] = {{"error", report::report_error}};
+constexpr Kind kKinds[] = {{"error", report::report_error},
+                           {"stability", report::report_stability}};
 
 struct Wishes {
   std::string kind, out;
@@ -65,7 +67,9 @@ Verb add_report(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "report", "Measure the program: its error against run time, and where it is stable");
   const auto wishes = std::make_shared<Wishes>();
-  app->add_option("KIND", wishes->kind, "error: error against run time, scene by scene")
+  app->add_option("KIND", wishes->kind,
+                  "error: error against run time, scene by scene; stability: maps of what is "
+                  "stable, and extreme scenes")
       ->option_text(" ");
   app->add_flag("--quick", wishes->quick, "Fewer settings and shorter runs");
   app->add_option("--out", wishes->out,

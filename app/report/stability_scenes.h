@@ -1,0 +1,28 @@
+// Scenes far outside the ordinary, each with what should happen.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "engine/params.h"
+
+namespace pupflow::report {
+
+/// What came of a scene.
+struct Finding {
+  bool ok = false;       // what should happen happened
+  std::string happened;  // in one line, with the numbers that decided
+};
+
+/// One extreme scene.
+struct ExtremeScene {
+  std::string_view name;                            // one word, for tests and tables
+  std::string_view scene;                           // in a few words
+  std::string_view expected;                        // one sentence: what should happen
+  Finding (*run)(Precision precision, bool quick);  // quick: fewer steps, the same check
+};
+
+/// All of them, in the order of the report.
+std::span<const ExtremeScene> extreme_scenes();
+
+}  // namespace pupflow::report

@@ -169,6 +169,27 @@ void add_table(Report& report, const Sample& reference, const std::vector<Sample
   report.table(rows);
 }
 
+/// Which settings make another litter, as far as these runs can tell.
+std::string verdict(const Sample& reference, const std::vector<Sample>& samples) {
+  std::string other, same;
+  for (const Sample& sample : samples) {
+    if (sample.group == "seeds") continue;
+    double furthest = 0;
+    for (std::size_t i = 0; i < kMeans; ++i) {
+      const double interval = std::hypot(sample.half_width(i), reference.half_width(i));
+      furthest = std::max(furthest, std::abs(sample.mean[i] - reference.mean[i]) / interval);
+    }
+    std::string& list = furthest > 2 ? other : same;
+    list += (list.empty() ? "" : "; ") + sample.group + ": " + sample.label;
+  }
+  return "**What this means.** Some mean is off by more than twice its interval with: " +
+         (other.empty() ? "none" : other) +
+         ". No such difference with: " + (same.empty() ? "none" : same) +
+         ". Settings of the first kind are another model; settings of the second are a choice "
+         "between time and nothing that these litters could show. The number of litters is the "
+         "choice that buys exactness: four times as many halve the interval.";
+}
+
 void add_plot(Report& report, const Params& params) {
   std::string body =
       "  set logscale xy\n  set xlabel 'CPU seconds'\n  set grid lc '#dddddd'\n"
@@ -252,6 +273,7 @@ void litter_section(Report& report) {
   write_csv(report, reference, samples);
   add_plot(report, base);
   add_table(report, reference, samples);
+  report.text(verdict(reference, samples));
 }
 
 }  // namespace pupflow::report

@@ -49,7 +49,13 @@ Scene press_scene(bool quick) {
       "starts at T_b = 0.8, the other at 0.4; heat goes only from one to the other. Held against a "
       "fine run: the distance of their centres, the share of the first pup's points in contact, "
       "and "
-      "the temperature that it has lost.";
+      "the temperature that it has lost. The pups' path converges, but only at about first order "
+      "and "
+      "from a large error: which points touch changes from step to step, and each step sets the "
+      "velocities of those that do. With naive refinement the displacement by contacts, too, is "
+      "done "
+      "once a step, and pups get harder as steps get shorter. The number of points matters as much "
+      "as the step: displacements of touching points add up, so more points are a harder pup.";
   scene.smallest_drawn = 1e-3;
   scene.quantities = {
       {"distance", "distance"}, {"contact", "contact area"}, {"heat", "heat exchanged"}};

@@ -91,7 +91,7 @@ Scene spin_scene(bool quick) {
       "checks.";
   scene.quantities = {{"momentum", "angular momentum"},
                       {"orientation", "orientation"},
-                      {"rigid", "orientation, against a rigid body's"}};
+                      {"rigid", "orientation against a rigid body's"}};
   const Params p = pup();
   Params narrow = p, undamped = p;
   narrow.precision = Precision::float_;

@@ -34,20 +34,45 @@ Answer answer_of(const Scene& scene) {
   return answer;
 }
 
-Measured measure_setting(const Scene& scene, const Setting& setting, const Trajectory& right,
-                         int repeats, Trajectory& samples) {
-  Measured measured{setting, 0, {}, {}, {}};
-  for (int i = 0; i < repeats; ++i) {
-    stop_if_interrupted();
-    const Outcome outcome = scene.run(setting);
-    measured.status = outcome.status;
-    measured.seconds = i == 0 ? outcome.seconds : std::min(measured.seconds, outcome.seconds);
-    samples = outcome.samples;
-    if (!outcome.status.ok()) break;
+/// A setting under measurement.
+struct Trial {
+  const Setting* setting;
+  Outcome best;  // the run that took least time
+  int runs = 0;
+};
+
+void run_once(const Scene& scene, Trial& trial) {
+  stop_if_interrupted();
+  if (trial.runs > 0 && !trial.best.status.ok()) return;
+  Outcome outcome = scene.run(*trial.setting);
+  if (trial.runs++ == 0 || outcome.seconds < trial.best.seconds) trial.best = std::move(outcome);
+}
+
+/// The default, then all settings of all curves, in order. They take turns, so that a busy moment
+/// of the machine does not fall on one of them alone.
+std::vector<Trial> run_all(const Scene& scene, const Options& options) {
+  std::vector<Trial> trials{{&scene.standard, {}, 0}};
+  for (const Curve& curve : scene.curves) {
+    for (const Setting& setting : curve.settings) trials.push_back({&setting, {}, 0});
   }
-  measured.errors = measured.status.ok() ? errors_of(samples, right)
-                                         : std::vector<double>(scene.quantities.size(), kNone);
-  measured.orders.assign(scene.quantities.size(), kNone);
+  const int repeats = options.quick ? 3 : 7;
+  io::Progress progress(scene.name, static_cast<std::int64_t>(trials.size()) * repeats,
+                        options.quiet);
+  std::int64_t done = 0;
+  for (int i = 0; i < repeats; ++i) {
+    for (Trial& trial : trials) {
+      run_once(scene, trial);
+      progress.update(++done);
+    }
+  }
+  return trials;
+}
+
+Measured judged(const Trial& trial, const Trajectory& right) {
+  Measured measured{*trial.setting, trial.best.seconds, trial.best.status, {}, {}};
+  measured.orders.assign(right.size(), kNone);
+  measured.errors = measured.orders;
+  if (measured.status.ok()) measured.errors = errors_of(trial.best.samples, right);
   return measured;
 }
 
@@ -58,6 +83,12 @@ void compare_references(const Answer& answer, const Trajectory& samples,
   const std::vector<double> other = errors_of(samples, answer.at_finer);
   for (std::size_t q = 0; q < change.size(); ++q) {
     if (other[q] > 0) change[q] = std::max(change[q], std::abs(one[q] / other[q] - 1));
+  }
+}
+
+void add_orders(const Measured& before, Measured& now) {
+  for (std::size_t q = 0; q < now.errors.size(); ++q) {
+    now.orders[q] = std::log2(before.errors[q] / now.errors[q]);
   }
 }
 
@@ -77,31 +108,22 @@ std::vector<double> errors_of(const Trajectory& samples, const Trajectory& right
 }
 
 SceneResult measure(const Scene& scene, const Options& options) {
-  std::size_t total = 0, done = 0;
-  for (const Curve& curve : scene.curves) total += curve.settings.size();
-  io::Progress progress(scene.name, static_cast<std::int64_t>(total), options.quiet);
-  const int repeats = options.quick ? 3 : 7;
   const Answer answer = answer_of(scene);
+  const std::vector<Trial> trials = run_all(scene, options);
   SceneResult result;
   result.reference_change.assign(scene.quantities.size(), 0);
-  Trajectory samples;
-  result.standard = measure_setting(scene, scene.standard, answer.at_finer, repeats, samples);
-  compare_references(answer, samples, result.reference_change);
+  auto trial = trials.begin();
+  result.standard = judged(*trial, answer.at_finer);
+  compare_references(answer, trial->best.samples, result.reference_change);
   for (const Curve& curve : scene.curves) {
     MeasuredCurve measured{curve.name, curve.refines, {}};
-    const Trajectory own =
-        curve.reference.empty() ? Trajectory{} : finished(scene, curve.reference.front());
-    for (const Setting& setting : curve.settings) {
-      measured.points.push_back(
-          measure_setting(scene, setting, own.empty() ? answer.at_finer : own, repeats, samples));
-      Measured& now = measured.points.back();
-      if (curve.refines && now.status.ok()) {
-        if (own.empty()) compare_references(answer, samples, result.reference_change);
-        for (std::size_t q = 0; q < now.errors.size() && measured.points.size() > 1; ++q) {
-          now.orders[q] = std::log2(measured.points.end()[-2].errors[q] / now.errors[q]);
-        }
-      }
-      progress.update(static_cast<std::int64_t>(++done));
+    const Trajectory right =
+        curve.reference.empty() ? answer.at_finer : finished(scene, curve.reference.front());
+    for (std::size_t i = 0; i < curve.settings.size(); ++i) {
+      measured.points.push_back(judged(*++trial, right));
+      if (!curve.refines || !measured.points.back().status.ok()) continue;
+      compare_references(answer, trial->best.samples, result.reference_change);
+      if (i > 0) add_orders(measured.points[i - 1], measured.points[i]);
     }
     result.curves.push_back(std::move(measured));
   }

@@ -21,6 +21,7 @@ void keep(T&& value) {
 template <class Work>
 double median_time(Work work) {
   std::vector<double> times;
+  times.reserve(kRepeats);
   for (int i = 0; i < kRepeats; ++i) times.push_back(microseconds(work));
   return median(std::move(times));
 }

@@ -1,10 +1,9 @@
 #include "bench/measure.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <stdexcept>
 
 namespace pupflow::bench {

@@ -7,7 +7,7 @@
 namespace pupflow::bench {
 
 /// Throws std::invalid_argument unless `params` ask for what the baselines step: heading = course,
-/// integrator = predictive, heat = exact.
+/// integrator = predictive, heat = exact, refinement = naive, beta at most 0.9.
 void require_baseline_model(const Params& params);
 
 /// The turn atan(v (S_L - S_R) / (S_L + S_R)) of a pup of temperature `tb` that feels `left` and

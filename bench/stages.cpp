@@ -66,6 +66,7 @@ void measure(Litters<Real>& litters) {
 
 std::vector<double> times(const std::vector<Floors>& rounds, double Floors::*kernel) {
   std::vector<double> times;
+  times.reserve(rounds.size());
   for (const Floors& round : rounds) times.push_back(round.*kernel);
   return times;
 }

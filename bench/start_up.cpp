@@ -8,10 +8,11 @@
 namespace pupflow::bench {
 
 void start_up(int rounds, Verdicts& verdicts) {
-  std::vector<double> times;
-  for (int i = 0; i < 3 * rounds; ++i) {
-    times.push_back(run_time(PUPFLOW_PROGRAM, {"run", "--steps", "0", "--quiet"}));
-  }
+  const std::vector<Contender> start = {
+      {"start", [] {
+         return run_time(PUPFLOW_PROGRAM, {"run", "--steps", "0", "--quiet"});
+       }}};
+  const std::vector<double> times = in_turns(start, 3 * rounds).front();
   std::printf("`pupflow run --steps 0` takes %.1f ms.\n", median(times));
   verdicts.at_most("`pupflow run --steps 0`, ms", 50, median(times));
 }

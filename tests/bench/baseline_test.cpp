@@ -107,6 +107,12 @@ TEST(Baselines, RefuseWhatTheyDoNotStep) {
   params = {};
   params.integrator = Integrator::explicit_;
   EXPECT_THROW(all_pairs(Simulation(params).snapshot()), std::invalid_argument);
+  params = {};
+  params.beta = 0.95;
+  EXPECT_THROW(with_bounds(Simulation(params).snapshot()), std::invalid_argument);
+  params = {};
+  params.heat = HeatRule::euler;
+  EXPECT_THROW(eigen_in_float(Simulation(params).snapshot()), std::invalid_argument);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ std::map<std::string, Printed> printed_hashes() {
                                      "' --benchmark_filter='^step/(huddling|crowd)/' "
                                      "--benchmark_min_time=0.001 --benchmark_color=false 2>&1");
   std::map<std::string, Printed> printed;
-  const std::regex line("step/(\\w+/\\w+)/\\S+ .*hash ([0-9a-f]{16})");
+  const std::regex line(R"(step/(\w+/\w+)/\S+ .*hash ([0-9a-f]{16}))");
   for (std::sregex_iterator match(text.begin(), text.end(), line), end; match != end; ++match) {
     Printed& scene = printed[(*match)[1]];
     ++scene.benchmarks;

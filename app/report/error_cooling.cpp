@@ -77,6 +77,7 @@ Scene cooling_scene(bool quick) {
       "is "
       "that form; what is left is rounding. `heat = euler` is of first order, and beyond 2/h, 200 "
       "per second at the default step, it grows without bound: the errors above 1 are real.";
+  scene.smallest_drawn = 1e-17;
   scene.quantities = {{"cooling", "T_b at k1 = 0.9"},
                       {"fast", "T_b at k1 = 100"},
                       {"stiff", "T_b at k1 = k2 = 10^4"}};

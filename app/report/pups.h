@@ -37,6 +37,9 @@ struct Pose {
 };
 Pose pose_of(const Simulation& simulation, int pup);
 
+/// Processor time of the calling thread: its wall time, but for the turns of others on the machine.
+double thread_seconds();
+
 /// Adds one value to each quantity of the trajectory.
 using Look = std::function<void(const Simulation&, Trajectory&)>;
 

@@ -1,7 +1,6 @@
 #include "app/report/rotations.h"
 
 #include <Eigen/Dense>
-#include <chrono>
 #include <cmath>
 
 #include "engine/rotation.h"
@@ -85,7 +84,6 @@ template <class Real>
 Outcome run_body(const Params& params, Routine routine, const Points& points,
                  const Points& velocities, int samples, std::size_t quantities,
                  const LookAtPoints& look) {
-  using Clock = std::chrono::steady_clock;
   const auto cloud = make_cloud<Real>(cube_sphere(params.face_points, params.pup_radius));
   State<Real> state = make_state<Real>(1, points_per_pup(params));
   load(points, state.x, state.y, state.z);
@@ -96,10 +94,10 @@ Outcome run_body(const Params& params, Routine routine, const Points& points,
   RotationFinder find(routine);
   Outcome outcome;
   outcome.samples.resize(quantities);
-  Clock::duration spent{};
+  double spent = 0;
   for (int i = 0; i < samples; ++i) {
     stop_if_interrupted();
-    const Clock::time_point begin = Clock::now();
+    const double begin = thread_seconds();
     for (int k = 0; k < steps; ++k) {
       if (body.damps()) damp_deformation(body, quadratic, cloud, state, 0);
       predict(params, state, 0);
@@ -108,11 +106,11 @@ Outcome run_body(const Params& params, Routine routine, const Points& points,
       draw_to_goals(params, body, quadratic, cloud,
                     goal_modes(fit, rotation, cloud.linear_scale, body.beta), state, 0);
     }
-    spent += Clock::now() - begin;
+    spent += thread_seconds() - begin;
     look(unload(points.size(), state.x, state.y, state.z),
          unload(points.size(), state.vx, state.vy, state.vz), outcome.samples);
   }
-  outcome.seconds = std::chrono::duration<double>(spent).count() / (samples * kSample);
+  outcome.seconds = spent / (samples * kSample);
   return outcome;
 }
 
@@ -159,7 +157,8 @@ Curve rotation_curve(const Params& params) {
            with(Routine::mueller_3, "Müller 2016, 3 iterations"),
            with(Routine::mueller_5, "Müller 2016, 5 iterations")},
           false,
-          {with(Routine::svd, "singular values")}};
+          {with(Routine::svd, "singular values")},
+          false};
 }
 
 }  // namespace pupflow::report

@@ -116,7 +116,7 @@ SceneResult measure(const Scene& scene, const Options& options) {
   result.standard = judged(*trial, answer.at_finer);
   compare_references(answer, trial->best.samples, result.reference_change);
   for (const Curve& curve : scene.curves) {
-    MeasuredCurve measured{curve.name, curve.refines, {}};
+    MeasuredCurve measured{curve.name, curve.refines, curve.ordered, {}};
     const Trajectory right =
         curve.reference.empty() ? answer.at_finer : finished(scene, curve.reference.front());
     for (std::size_t i = 0; i < curve.settings.size(); ++i) {

@@ -17,7 +17,7 @@ using Trajectory = std::vector<std::vector<double>>;
 /// One run.
 struct Outcome {
   Trajectory samples;
-  double seconds = 0;  // wall time of its steps, for each model second
+  double seconds = 0;  // time of its steps on one core, for each model second
   Status status;       // bad when the run could not be finished
 };
 
@@ -34,6 +34,7 @@ struct Curve {
   std::vector<Setting> settings;
   bool refines = false;            // each setting halves the step of the one before it
   std::vector<Setting> reference;  // empty: the scene's; else one setting to measure against
+  bool ordered = true;             // from cheap to dear, so that a line joins them
 };
 
 struct Quantity {
@@ -68,7 +69,7 @@ struct Measured {
 
 struct MeasuredCurve {
   std::string name;
-  bool refines = false;
+  bool refines = false, ordered = true;
   std::vector<Measured> points;
 };
 

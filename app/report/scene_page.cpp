@@ -62,7 +62,7 @@ std::string plot_of(const Scene& scene, const SceneResult& result) {
   std::ostringstream s;
   const std::string file = "'" + scene.name + ".csv'";
   s << "  set yrange [" << scene.smallest_drawn
-    << ":*]\n  set logscale xy\n  set format '10^{%L}'\n  set xlabel 'wall time, s a model "
+    << ":*]\n  set logscale xy\n  set format '10^{%L}'\n  set xlabel 'time on one core, s a model "
        "second'\n"
     << "  set grid lc '#dddddd'\n  set multiplot layout 1," << scene.quantities.size()
     << " margins 0.08,0.97,0.36,0.92 spacing 0.09,0\n";
@@ -111,7 +111,7 @@ void show(Report& report, const Scene& scene, const SceneResult& result) {
   write_csv(report, scene, result);
   report.figure(scene.name,
                 scene.title +
-                    ": error against wall time, both logarithmic; errors below the lower edge are "
+                    ": error against run time, both logarithmic; errors below the lower edge are "
                     "drawn on it",
                 plot_of(scene, result), scene.standard.params,
                 460 * static_cast<int>(scene.quantities.size()) + 100, 520);

@@ -79,7 +79,8 @@ std::string plot_of(const Scene& scene, const SceneResult& result) {
         << " ? " << scene.smallest_drawn << " : column('" << error << "')) with " << style;
     };
     for (std::size_t c = 0; c < result.curves.size(); ++c) {
-      line(result.curves[c].name, "linespoints lw 1.6 pt 7 ps 0.6 lc '" +
+      const std::string style = result.curves[c].ordered ? "linespoints lw 1.6" : "points";
+      line(result.curves[c].name, style + " pt 7 ps 0.6 lc '" +
                                       std::string(kColors[c % std::size(kColors)]) + "' title '" +
                                       result.curves[c].name + "'");
       s << ", \\\n       ";
@@ -92,14 +93,18 @@ std::string plot_of(const Scene& scene, const SceneResult& result) {
 }
 
 std::string reference_words(const Scene& scene, const SceneResult& result) {
-  std::string text = "Right answer: " + scene.reference.label +
-                     ". Halving its step changes the errors of the default and of all refining "
-                     "settings by at most ";
+  std::string changes;
   for (std::size_t q = 0; q < scene.quantities.size(); ++q) {
-    text += (q == 0 ? "" : ", ") + rounded(100 * result.reference_change[q], 2) + " % (" +
-            scene.quantities[q].title + ")";
+    if (result.reference_change[q] == 0) continue;  // a closed form
+    changes += (changes.empty() ? "" : ", ") + rounded(100 * result.reference_change[q], 2) +
+               " % (" + scene.quantities[q].title + ")";
   }
-  return text + ".";
+  const std::string text = "Right answer: " + scene.reference.label + ".";
+  if (changes.empty()) return text;
+  return text +
+         " Halving its step changes the errors of the default and of all refining settings by at "
+         "most " +
+         changes + ".";
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ void Contacts<Real>::make_room(const State<Real>& state, int workers, std::size_
     worker.first.make_room(state.stride);
     worker.second.make_room(state.stride);
     worker.touches.clear();
+    worker.searched = 0;
     worker.touches.reserve(usual);
     worker.total.resize(state.points);
     worker.bits.resize(words_for(state.points));
@@ -74,6 +75,7 @@ bool Contacts<Real>::touch_pair(const State<Real>& state, TouchingPair pair, Rea
   const Bounds<Real>& a = state.bounds[pair.first];
   const Bounds<Real>& b = state.bounds[pair.second];
   if (!balls_meet(a, b, reach)) return false;
+  ++worker.searched;
   // First the points of one pup near the other as a whole, then those of the other near these few.
   const Real margin = search_radius(Real(0), reach);
   const auto gather = [&](int pup, const Bounds<Real>& ball, const Real low[3], const Real high[3],
@@ -150,6 +152,13 @@ void Contacts<Real>::find(const Params& params, State<Real>& state, Team& team) 
     }
   });
   sort_by_pup(pairs, state);
+}
+
+template <class Real>
+std::int64_t Contacts<Real>::searched_pairs() const {
+  std::int64_t sum = 0;
+  for (const Worker& worker : workers_) sum += worker.searched;
+  return sum;
 }
 
 template <class Real>

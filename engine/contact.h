@@ -30,6 +30,10 @@ class Contacts {
   /// `team` share the pairs of pups; no sum depends on how many there are.
   void find(const Params& params, State<Real>& state, Team& team);
 
+  /// Pairs of pups that the last `find` had to search point by point; the others were too far
+  /// apart.
+  std::int64_t searched_pairs() const;
+
   /// Moves the points of `pup`, by `share_of_push` of what contacts displace them (1 but with a
   /// refined step, refinement.h), and, with `afferents`, fills its `touched` and `exposed`. Its
   /// bounds are no longer true. Different workers of the team may do different pups at a time.
@@ -57,6 +61,7 @@ class Contacts {
   };
   struct Worker {
     Side first, second;               // of the pair that is being searched
+    std::int64_t searched;            // pairs, in this step
     std::vector<Touch> touches;       // of all pairs that it searched, one after the other
     std::vector<Touch> total;         // by point, of the pup that is being moved
     std::vector<std::uint64_t> bits;  // its points that touch somebody

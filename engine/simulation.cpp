@@ -369,6 +369,9 @@ Snapshot Simulation::snapshot() const {
 std::int64_t Simulation::rotation_fallbacks() const {
   return model_->counters.rotation_fallbacks;
 }
+std::int64_t Simulation::searched_pairs() const {
+  return model_->counters.searched_pairs;
+}
 std::uint64_t Simulation::hash() const {
   return model_->hash();
 }

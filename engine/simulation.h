@@ -113,6 +113,9 @@ class Simulation {
   /// Rotations since the start that came from flat, mirrored or collapsed clouds (rotation.h).
   std::int64_t rotation_fallbacks() const;
 
+  /// Pairs of pups that were searched point by point since the start; pairs out of reach are not.
+  std::int64_t searched_pairs() const;
+
   /// A hash of everything that the future depends on: positions, velocities, temperatures,
   /// headings, step count. Equal for equal bits, whatever the thread count or machine.
   std::uint64_t hash() const;

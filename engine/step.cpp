@@ -75,9 +75,10 @@ struct Step {
 
   /// Stages number `begin` ... `end` - 1 of the agenda: all of them for one pup, then for the next,
   /// while its points are at hand.
-  void run(std::size_t begin, std::size_t end) const {
+  void run(std::size_t begin, std::size_t end, StepCounters& counters) const {
     if (agenda.stages()[begin] == Stage::contact) {
       workspace.contacts.find(params, state, workspace.team);
+      counters.searched_pairs += workspace.contacts.searched_pairs();
     }
     const int workers = useful_workers(workspace.team, state.pups);
     workspace.team.run(workers, [&](int worker) {
@@ -128,7 +129,7 @@ Status step_litter(const Params& params, const Plan& plan, const Cloud<Real>& cl
     const bool alone = apart || stages[begin] == Stage::boundary;
     const std::size_t end = alone ? begin + 1 : stages.size();
     if (apart) listener->stage_begins(stages[begin]);
-    step.run(begin, end);
+    step.run(begin, end, counters);
     if (apart) listener->stage_ends(stages[begin]);
     begin = end;
   }

@@ -24,6 +24,7 @@ class StageListener {
 /// Counts what a step had to do beyond the usual.
 struct StepCounters {
   std::int64_t rotation_fallbacks = 0;  // rotations that were not RotationKind::regular
+  std::int64_t searched_pairs = 0;      // pairs of pups that were searched point by point
 };
 
 /// Working memory of the stages, and the threads that share them; holds nothing that the next step

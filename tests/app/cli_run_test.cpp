@@ -88,6 +88,18 @@ TEST_F(CliRun, LikeMakesTheSameFileAgain) {
   EXPECT_NE(rows("a.csv"), rows("c.csv"));
 }
 
+TEST_F(CliRun, ThreadsChangeNoByte) {
+  for (const char* threads : {"1", "2", "5"}) {
+    const Outcome outcome =
+        pupflow({"run", "--set", "pups=130", "--set", "start=carpet", "--set", "arena_radius=5",
+                 "--set", "face_points=4", "--steps", "60", "--threads", threads, "--pups",
+                 std::string(threads) + ".csv"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+  EXPECT_EQ(contents(scratch_.path("2.csv")), contents(scratch_.path("1.csv")));
+  EXPECT_EQ(contents(scratch_.path("5.csv")), contents(scratch_.path("1.csv")));
+}
+
 TEST_F(CliRun, DefaultThenSceneThenSetThenShortcut) {
   scratch_.file("s.toml", "ta = 0.1\ntp = 0.1\nsteps = 2\nseed = 2\n");
   ASSERT_EQ(pupflow({"run", "--set", "tp=0.2", "--set", "seed=3", "s.toml", "--seed", "4", "--csv",

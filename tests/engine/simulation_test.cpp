@@ -12,6 +12,18 @@
 namespace pupflow {
 namespace {
 
+TEST(Simulation, PupsOutOfReachAreNotSearched) {
+  Params p;
+  p.pups = 3;
+  p.start_spread = 0;
+  Simulation falling(p);  // one above the other, a diameter and more apart
+  ASSERT_TRUE(falling.run(20).ok());
+  EXPECT_EQ(falling.searched_pairs(), 0);
+  ASSERT_TRUE(falling.run(300).ok());  // they land on each other
+  EXPECT_GT(falling.searched_pairs(), 0);
+  EXPECT_LE(falling.searched_pairs(), 3 * 300);
+}
+
 TEST(Simulation, SameSeedSameBits) {
   for (const Precision precision : {Precision::float_, Precision::double_}) {
     Params p;

@@ -55,8 +55,9 @@ void floor(Real r, int stride, Real* z, Real* vz) {
   using P = Pack<Real>;
   const P height = P::broadcast(r), zero = P::zero();
   for (int i = 0; i < stride; i += kLanes<Real>) {
-    const P here = P::load(z + i), speed = P::load(vz + i);
+    const P here = P::load(z + i);
     if (less_bits(here, height) == 0) continue;
+    const P speed = P::load(vz + i);
     select_less(here, height, max(speed, zero - speed), speed).store(vz + i);
     select_less(here, height, height, here).store(z + i);
   }

@@ -50,9 +50,11 @@ Options parse(const std::vector<std::string>& arguments) {
 }
 
 void print_machine() {
-  std::printf("| processor | cores | compiler | loops compiled for |\n|---|---|---|---|\n");
-  std::printf("| %s | %u | %s | %s |\n", io::cpu_name().c_str(),
-              std::thread::hardware_concurrency(), io::compiler_words().c_str(),
+  double load = 0;  // of the last minute
+  getloadavg(&load, 1);
+  std::printf("| processor | cores | busy before | compiler | loops compiled for |\n");
+  std::printf("|---|---|---|---|---|\n| %s | %u | %.1f | %s | %s |\n", io::cpu_name().c_str(),
+              std::thread::hardware_concurrency(), load, io::compiler_words().c_str(),
               io::kernel_words().c_str());
 }
 
@@ -65,7 +67,8 @@ void run(const Options& options) {
     std::fflush(stdout);
     section.measure(options.rounds, verdicts);
   }
-  std::printf("\n<!-- measured verdicts -->\n");
+  const bool all = options.sections.size() == kSections.size();
+  std::printf("\n<!-- measured %s -->\n", all ? "verdicts" : "some verdicts");
   verdicts.print();
 }
 

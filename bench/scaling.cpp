@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kSizes[] = {12, 100, 1000, 10000};
 constexpr int kFewer = 2000, kMore = 10000;  // pups, between which memory is compared
+constexpr int kMemorySteps = 200;            // until they lie on the floor and many touch
 constexpr int kPupSteps = 10000;             // work of one measurement
 
 struct Crowd {
@@ -30,7 +31,7 @@ double pup_step_time(Crowd& crowd) {
 
 template <Precision kPrecision>
 void stand_a_crowd(int pups) {
-  after(crowd(pups, kPrecision), 40);  // as long as they fall: all touch after that
+  after(crowd(pups, kPrecision), kMemorySteps);
 }
 
 template <Precision kPrecision>

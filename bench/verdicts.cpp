@@ -18,7 +18,7 @@ void Verdicts::print() const {
   for (const Row& row : rows_) {
     const bool reached = row.at_least ? row.measured >= row.target : row.measured <= row.target;
     const double missing = row.at_least ? row.target / row.measured : row.measured / row.target;
-    std::printf("| %s | %s %g | %.3g | ", row.what.c_str(), row.at_least ? "≥" : "≤", row.target,
+    std::printf("| %s | %s %g | %.4g | ", row.what.c_str(), row.at_least ? "≥" : "≤", row.target,
                 row.measured);
     if (reached) {
       std::printf("reached |\n");

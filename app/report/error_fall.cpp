@@ -61,7 +61,7 @@ Scene fall_scene(bool quick) {
       {"explicit", halved(undamped, finest), false, {}},
       points_curve(p, quick)};
   scene.standard = {"dt = 0.01, predictive, double", p, 0};
-  set_reference(scene, p, 64 * finest);
+  set_reference(scene, p, 128 * finest);
   scene.run = [](const Setting& s) { return run(s, 20); };
   scene.closed_form = closed_form;
   return scene;

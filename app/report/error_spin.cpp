@@ -104,7 +104,7 @@ Scene spin_scene(bool quick) {
       {"explicit", halved(undamped, finest), false, {}},
       rotation_curve(p)};
   scene.standard = {"dt = 0.01, Newton, double", p, 0};
-  set_reference(scene, p, 64 * finest);
+  set_reference(scene, p, 128 * finest);
   scene.run = run;
   scene.closed_form = closed_form;
   return scene;

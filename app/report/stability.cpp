@@ -94,9 +94,14 @@ void report_stability(const Options& options) {
   stop_if_interrupted();
   classes_section(report, *ordinary);
   report.heading("Maps");
-  report.text(
-      "Six pups of the default litter unless a map says otherwise, one seed. The circle is the "
-      "default; red lines are theory.");
+  report.text("Six pups of the default litter unless a map says otherwise, for " +
+              std::string(options.quick ? "800" : "1500") +
+              " steps, or 8 model seconds "
+              "where that is more, 4000 steps at most. Each cell is one litter of one seed, so a "
+              "lone cell of "
+              "another class says little, and a patch of them much. The circle is the default; red "
+              "lines are "
+              "theory.");
   for (const StabilityMap& map : stability_maps(options.quick)) {
     show_map(report, map, compute_map(map, options));
   }

@@ -80,7 +80,8 @@ StabilityMap alpha_beta(bool quick) {
 }
 
 TheoryLine crushed(const Params& params) {
-  return {"g h² = r_pup: a step falls a radius", "", std::sqrt(params.pup_radius / params.gravity)};
+  return {"g h² = r_{pup}: a step falls a radius", "",
+          std::sqrt(params.pup_radius / params.gravity)};
 }
 
 TheoryLine outrun(const Params& params) {
@@ -113,8 +114,9 @@ StabilityMap step_gravity(bool quick) {
   map.x = step_axis(quick);
   map.y = {"gravity", "gravity g", true,
            quick ? std::vector{0.1, 10.0, 1000.0, 1e5} : decades(-1, 5, 3)};
-  map.lines = {{"g h² = r_pup: a step falls a radius", number(map.base.pup_radius) + " / x**2", 0},
-               outrun(map.base)};
+  map.lines = {
+      {"g h² = r_{pup}: a step falls a radius", number(map.base.pup_radius) + " / x**2", 0},
+      outrun(map.base)};
   return map;
 }
 
@@ -249,7 +251,7 @@ std::string legend(const StabilityMap& map) {
       "  unset title; unset border; unset tics; unset xlabel; unset ylabel; unset arrow\n"
       "  unset logscale; set xrange [0:1]; set yrange [0:1]; set lmargin at screen 0.02\n"
       "  set rmargin at screen 0.98; set tmargin at screen 0.2; set bmargin at screen 0.0\n"
-      "  set key at screen 0.5,0.14 center center horizontal maxrows 1 Left reverse samplen 1.6 "
+      "  set key at screen 0.5,0.175 center center horizontal maxrows 1 Left reverse samplen 1.6 "
       "width 1\n"
       "  plot for [c=0:5] NaN with boxes fs solid 1 lc rgb word(colors, c + 1) title word(classes, "
       "c "
@@ -261,7 +263,7 @@ std::string legend(const StabilityMap& map) {
              line.title + "'";
   }
   text +=
-      "\n  set key at screen 0.5,0.05 center center horizontal maxcols 2 Left reverse samplen 3 "
+      "\n  set key at screen 0.5,0.065 center center horizontal maxcols 2 Left reverse samplen 3 "
       "width 1\n  "
       "plot " +
       lines.substr(2) + ", NaN with points pt 6 ps 1.2 lw 2 lc rgb '#000000' title 'default'\n";
@@ -277,7 +279,7 @@ std::string figure_commands(const StabilityMap& map) {
       "  file = '" + map.name + ".csv'\n  colors = '" + kColors + "'\n  classes = '" + classes +
       "'\n  set multiplot\n  set samples 400\n  unset key\n"
       "  set border 15 lc '#444444'; set tics front nomirror out\n"
-      "  set tmargin at screen 0.92; set bmargin at screen 0.33\n" +
+      "  set tmargin at screen 0.92; set bmargin at screen 0.34\n" +
       axis_commands("x", map.x, edges_of(map.x)) + axis_commands("y", map.y, edges_of(map.y));
   for (std::size_t m = 0; m < map.methods.size(); ++m) text += panel(map, m);
   return text + legend(map) + "  unset multiplot\n";
@@ -345,7 +347,7 @@ void show_map(Report& report, const StabilityMap& map, const MapResult& result) 
   report.text(map.words);
   write_csv(report, map, result);
   report.figure(map.name, map.title + ", " + map.methods[0].name + " and " + map.methods[1].name,
-                figure_commands(map), map.base, 980, 560);
+                figure_commands(map), map.base, 980, 580);
   std::vector<io::Row> table{{"cells"}};
   for (int i = 0; i < kVerdicts; ++i) {
     table[0].push_back(std::string(verdict_name(static_cast<Verdict>(i))));

@@ -9,7 +9,7 @@ namespace {
 
 // Brightness at a sphere's outline. Its middle has exactly the colour of the bar.
 constexpr float kEdgeShade = 0.45f;
-constexpr GLint kWallSegments = 256;
+constexpr GLint kWallSegments = 256, kPlaneSegments = 32;
 
 void set_colour(const Program& program, view::Rgb colour) {
   glUniform3f(program.uniform("colour"), static_cast<float>(colour.r) / 255,
@@ -126,9 +126,10 @@ void Renderer::draw_plane(const view::CameraMatrices& matrices, float height, fl
   glUniform1f(plane_program_.uniform("height"), height);
   glUniform1f(plane_program_.uniform("inner_radius"), inner_radius);
   glUniform1f(plane_program_.uniform("outer_radius"), outer_radius);
+  glUniform1i(plane_program_.uniform("segments"), kPlaneSegments);
   glBindVertexArray(empty_array_.name());
   glEnable(GL_BLEND);
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kPlaneSegments + 1));
   glDisable(GL_BLEND);
 }
 

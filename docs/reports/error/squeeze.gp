@@ -1,0 +1,50 @@
+# Draws squeeze.png and squeeze.svg from the CSV files in this folder.
+# Run it again after editing:  gnuplot squeeze.gp  (in this folder)
+if (!exists('name')) name = 'squeeze'
+set datafile separator ','
+set datafile commentschars '#'
+set datafile columnheaders
+set datafile missing 'nan'
+set encoding utf8
+set border 3 lc '#444444'
+set tics nomirror out textcolor '#222222'
+do for [format in 'png svg'] {
+  if (format eq 'png') {
+    set terminal pngcairo size 1480,520 font 'DejaVu Sans,11'
+  } else {
+    set terminal svg size 1480,520 font 'DejaVu Sans,11' background '#ffffff'
+  }
+  set output name.'.'.format
+  set yrange [0.001:*]
+  set logscale xy
+  set format '10^{%L}'
+  set xlabel 'time on one core, s a model second'
+  set grid lc '#dddddd'
+  set multiplot layout 1,3 margins 0.08,0.97,0.36,0.92 spacing 0.09,0
+  set title "error of bend (fitted)"
+  set key at screen 0.02, screen 0.02 left bottom maxrows 4 Left reverse
+  plot 'squeeze.csv' using (strcol('method') eq 'consistent' ? column('seconds') : NaN):(column('error_bend') < 0.001 ? 0.001 : column('error_bend')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#0072B2' title 'consistent', \
+       'squeeze.csv' using (strcol('method') eq 'naive' ? column('seconds') : NaN):(column('error_bend') < 0.001 ? 0.001 : column('error_bend')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#D55E00' title 'naive', \
+       'squeeze.csv' using (strcol('method') eq 'consistent in float' ? column('seconds') : NaN):(column('error_bend') < 0.001 ? 0.001 : column('error_bend')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#009E73' title 'consistent in float', \
+       'squeeze.csv' using (strcol('method') eq 'explicit' ? column('seconds') : NaN):(column('error_bend') < 0.001 ? 0.001 : column('error_bend')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#CC79A7' title 'explicit', \
+       'squeeze.csv' using (strcol('method') eq 'rotation routine' ? column('seconds') : NaN):(column('error_bend') < 0.001 ? 0.001 : column('error_bend')) with points pt 7 ps 0.6 lc '#E69F00' title 'rotation routine', \
+       'squeeze.csv' using (strcol('method') eq 'default' ? column('seconds') : NaN):(column('error_bend') < 0.001 ? 0.001 : column('error_bend')) with points pt 6 ps 2.2 lw 2 lc '#000000' title 'default'
+  set title "error of growth (volume)"
+  unset key
+  plot 'squeeze.csv' using (strcol('method') eq 'consistent' ? column('seconds') : NaN):(column('error_growth') < 0.001 ? 0.001 : column('error_growth')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#0072B2' title 'consistent', \
+       'squeeze.csv' using (strcol('method') eq 'naive' ? column('seconds') : NaN):(column('error_growth') < 0.001 ? 0.001 : column('error_growth')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#D55E00' title 'naive', \
+       'squeeze.csv' using (strcol('method') eq 'consistent in float' ? column('seconds') : NaN):(column('error_growth') < 0.001 ? 0.001 : column('error_growth')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#009E73' title 'consistent in float', \
+       'squeeze.csv' using (strcol('method') eq 'explicit' ? column('seconds') : NaN):(column('error_growth') < 0.001 ? 0.001 : column('error_growth')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#CC79A7' title 'explicit', \
+       'squeeze.csv' using (strcol('method') eq 'rotation routine' ? column('seconds') : NaN):(column('error_growth') < 0.001 ? 0.001 : column('error_growth')) with points pt 7 ps 0.6 lc '#E69F00' title 'rotation routine', \
+       'squeeze.csv' using (strcol('method') eq 'default' ? column('seconds') : NaN):(column('error_growth') < 0.001 ? 0.001 : column('error_growth')) with points pt 6 ps 2.2 lw 2 lc '#000000' title 'default'
+  set title "error of ripple (not fitted)"
+  unset key
+  plot 'squeeze.csv' using (strcol('method') eq 'consistent' ? column('seconds') : NaN):(column('error_ripple') < 0.001 ? 0.001 : column('error_ripple')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#0072B2' title 'consistent', \
+       'squeeze.csv' using (strcol('method') eq 'naive' ? column('seconds') : NaN):(column('error_ripple') < 0.001 ? 0.001 : column('error_ripple')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#D55E00' title 'naive', \
+       'squeeze.csv' using (strcol('method') eq 'consistent in float' ? column('seconds') : NaN):(column('error_ripple') < 0.001 ? 0.001 : column('error_ripple')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#009E73' title 'consistent in float', \
+       'squeeze.csv' using (strcol('method') eq 'explicit' ? column('seconds') : NaN):(column('error_ripple') < 0.001 ? 0.001 : column('error_ripple')) with linespoints lw 1.6 pt 7 ps 0.6 lc '#CC79A7' title 'explicit', \
+       'squeeze.csv' using (strcol('method') eq 'rotation routine' ? column('seconds') : NaN):(column('error_ripple') < 0.001 ? 0.001 : column('error_ripple')) with points pt 7 ps 0.6 lc '#E69F00' title 'rotation routine', \
+       'squeeze.csv' using (strcol('method') eq 'default' ? column('seconds') : NaN):(column('error_ripple') < 0.001 ? 0.001 : column('error_ripple')) with points pt 6 ps 2.2 lw 2 lc '#000000' title 'default'
+  unset multiplot
+  unset output
+}

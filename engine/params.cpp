@@ -309,7 +309,7 @@ std::vector<Problem> check(const Params& params) {
          "arena_radius = " + number_text(params.arena_radius) +
              ": arena radius must exceed pup_radius + point_radius = " + number_text(reach)});
   }
-  // Rounding moves a body's mean by some 3e-9 in a step; over dt that is a velocity, and from here
+  // Rounding moves a body's mean by some 4e-9 in a step; over dt that is a velocity, and from here
   // on an acceleration like the drive's.
   constexpr double kLeastFloatStep = 1e-4;
   if (params.precision == Precision::float_ && params.dt > 0 && params.dt < kLeastFloatStep) {

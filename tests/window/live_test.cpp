@@ -263,7 +263,7 @@ TEST_F(Live, ValuesThatAreNotAllowedAreNotTaken) {
 }
 
 TEST_F(Live, ABadStateSaysWhereAndWaitsForARestart) {
-  open({"--set", "heat=euler", "--set", "k1=500", "--set", "pups=2"});
+  open({"--set", "heat=euler", "--set", "k1=201", "--set", "pups=2"});
   screen_.press("f");
   const std::string message = await("bad ");
   EXPECT_THAT(message, HasSubstr("diverged at step"));

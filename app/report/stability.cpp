@@ -20,10 +20,9 @@ void classes_section(Report& report, const Trial& ordinary) {
   report.heading("Classes");
   report.text(
       "Each cell of a map is one run, called by the worst of these in its last quarter, where "
-      "every "
-      "step is looked at. A pup's deformation energy is the mean over its points of "
-      "|x − c − R q|²/r_pup², its squared distance from the turned rest shape; 1 is a displacement "
-      "of all points by a radius.");
+      "every step is looked at. A pup's deformation energy is the mean over its points of |x − c − "
+      "R q|²/r_pup², its squared distance from the turned rest shape; 1 is a displacement of all "
+      "points by a radius.");
   report.table(
       {{"class", "what it means", "threshold", "the paper's litter"},
        {"stable", "none of the below", "", std::string(verdict_name(ordinary.verdict))},
@@ -96,12 +95,9 @@ void report_stability(const Options& options) {
   report.heading("Maps");
   report.text("Six pups of the default litter unless a map says otherwise, for " +
               std::string(options.quick ? "800" : "1500") +
-              " steps, or 8 model seconds "
-              "where that is more, 4000 steps at most. Each cell is one litter of one seed, so a "
-              "lone cell of "
-              "another class says little, and a patch of them much. The circle is the default; red "
-              "lines are "
-              "theory.");
+              " steps, or 8 model seconds where that is more, 4000 steps at most. Each cell is one "
+              "litter of one seed, so a lone cell of another class says little, and a patch of "
+              "them much. The circle is the default; red lines are theory.");
   for (const StabilityMap& map : stability_maps(options.quick)) {
     show_map(report, map, compute_map(map, options));
   }

@@ -66,9 +66,9 @@ constexpr double kSlow = 0.98, kQuick = 0.9;
 StabilityMap alpha_beta(bool quick) {
   StabilityMap map{"alpha_beta", "α × β", "", {}, {}, litter(quick), false, integrators(), {}};
   map.words =
-      "A mode of deformation that the fit can represent is multiplied by "
-      "|λ| = √(1 − α (1 − β)) in each predictive step; |λ| = 0.98 means that it takes 50 steps to "
-      "fall to 1/e. In explicit steps |λ| = 1 whatever α and β are.";
+      "A mode of deformation that the fit can represent is multiplied by |λ| = √(1 − α (1 − β)) in "
+      "each predictive step; |λ| = 0.98 means that it takes 50 steps to fall to 1/e. In explicit "
+      "steps |λ| = 1 whatever α and β are.";
   map.x = alpha_axis(quick);
   map.y = {"beta", "deformation β", false,
            quick ? std::vector{0.0, 0.5, 0.9, 1.0} : evenly(0, 1, 21)};
@@ -109,8 +109,7 @@ StabilityMap step_gravity(bool quick) {
                    false,          integrators(), {}};
   map.words =
       "The floor acts once a step. Where a step falls further than a radius, g h² > r_pup, it "
-      "finds "
-      "all points below and flattens the body.";
+      "finds all points below and flattens the body.";
   map.x = step_axis(quick);
   map.y = {"gravity", "gravity g", true,
            quick ? std::vector{0.1, 10.0, 1000.0, 1e5} : decades(-1, 5, 3)};
@@ -124,8 +123,7 @@ StabilityMap drive_pups(bool quick) {
   StabilityMap map{"drive_pups", "drive × N", "", {}, {}, litter(quick), false, integrators(), {}};
   map.words =
       "The wall makes v ← (v − 1)/2 outwards in each step, then the drive adds f h: outside the "
-      "wall v "
-      "goes to 2 f h − 1, and above 1/3 that leads away from it, which is f > 2/(3 h).";
+      "wall v goes to 2 f h − 1, and above 1/3 that leads away from it, which is f > 2/(3 h).";
   map.x = {"drive", "drive f", true,
            quick ? std::vector{0.1, 1.0, 10.0, 1000.0} : decades(-1, 3, 4)};
   map.y = {"pups", "pups N", true,
@@ -140,10 +138,8 @@ StabilityMap step_k1(bool quick) {
                    true,      heat_rules(),         {}};
   map.words =
       "One pup that touches nobody (A = 1), from T_b(0) to T_a + G/k₁. Forward Euler multiplies "
-      "the "
-      "difference by 1 − k₁ h: beyond 1 it changes sides in every step, beyond 2 it grows. The "
-      "exact "
-      "solution multiplies by e^(−k₁ h).";
+      "the difference by 1 − k₁ h: beyond 1 it changes sides in every step, beyond 2 it grows. The "
+      "exact solution multiplies by e^(−k₁ h).";
   map.base.pups = 1;
   map.base.gravity = map.base.drive = 0;
   map.base.steps = 400;
@@ -170,12 +166,10 @@ std::vector<double> edges_of(const MapAxis& axis) {
 }
 
 void write_csv(const Report& report, const StabilityMap& map, const MapResult& result) {
-  io::CsvFile csv =
-      report.csv(map.name, map.base,
-                 map.x.parameter + "," + map.y.parameter +
-                     ",method,panel,class,code,bad_step,bad_stage,bad_pup,bad_point,energy,"
-                     "swing,nearest,inverted,x_low,"
-                     "x_high,y_low,y_high");
+  io::CsvFile csv = report.csv(map.name, map.base,
+                               map.x.parameter + "," + map.y.parameter +
+                                   ",method,panel,class,code,bad_step,bad_stage,bad_pup,bad_point,"
+                                   "energy,swing,nearest,inverted,x_low,x_high,y_low,y_high");
   const std::vector<double> xs = edges_of(map.x), ys = edges_of(map.y);
   for (std::size_t m = 0; m < map.methods.size(); ++m) {
     for (std::size_t j = 0; j < map.y.values.size(); ++j) {
@@ -216,11 +210,10 @@ std::string panel(const StabilityMap& map, std::size_t m) {
   std::string text = "  set title '" + method.name + "'\n  set lmargin at screen " +
                      (first ? "0.08" : "0.56") + "\n  set rmargin at screen " +
                      (first ? "0.49" : "0.97") + "\n  unset arrow\n";
-  std::string plot =
-      "  plot for [c=0:5] file using (" + chosen + "c ? column('" + map.x.parameter +
-      "') : NaN):'" + map.y.parameter +
-      "':'x_low':'x_high':'y_low':'y_high' with boxxyerror fs solid 1 noborder lc rgb "
-      "word(colors, c + 1) notitle";
+  std::string plot = "  plot for [c=0:5] file using (" + chosen + "c ? column('" + map.x.parameter +
+                     "') : NaN):'" + map.y.parameter +
+                     "':'x_low':'x_high':'y_low':'y_high' with boxxyerror fs solid 1 noborder lc "
+                     "rgb word(colors, c + 1) notitle";
   int style = 1;
   for (const TheoryLine& line : map.lines) {
     const std::string look = " dt " + std::to_string(style++) + " lc rgb ";
@@ -254,8 +247,7 @@ std::string legend(const StabilityMap& map) {
       "  set key at screen 0.5,0.175 center center horizontal maxrows 1 Left reverse samplen 1.6 "
       "width 1\n"
       "  plot for [c=0:5] NaN with boxes fs solid 1 lc rgb word(colors, c + 1) title word(classes, "
-      "c "
-      "+ 1)";
+      "c + 1)";
   int style = 1;
   std::string lines;
   for (const TheoryLine& line : map.lines) {
@@ -264,8 +256,7 @@ std::string legend(const StabilityMap& map) {
   }
   text +=
       "\n  set key at screen 0.5,0.065 center center horizontal maxcols 2 Left reverse samplen 3 "
-      "width 1\n  "
-      "plot " +
+      "width 1\n  plot " +
       lines.substr(2) + ", NaN with points pt 6 ps 1.2 lw 2 lc rgb '#000000' title 'default'\n";
   return text;
 }

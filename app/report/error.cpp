@@ -17,18 +17,16 @@ void introduce(Report& report) {
       "is the summary.");
   report.text(
       "**How to read it.** An error is the root mean square of the difference from the right "
-      "answer "
-      "over the samples of a scene (every 0.02 s), divided by the root mean square of the right "
-      "answer: 0.01 is one per cent. In brackets behind it stands the observed order of "
-      "convergence, "
-      "log₂ of the error of the row before over this one's: 1 means that half the step makes half "
-      "the error. Times are those of the steps on one core, the shortest of several runs "
-      "(processor time: wall time, less what other work on the machine takes). "
+      "answer over the samples of a scene (every 0.02 s), divided by the root mean square of the "
+      "right answer: 0.01 is one per cent. In brackets behind it stands the observed order of "
+      "convergence, log₂ of the error of the row before over this one's: 1 means that half the "
+      "step makes half the error. Times are those of the steps on one core, the shortest of "
+      "several runs (processor time: wall time, less what other work on the machine takes). "
       "*Consistent* and *naive* are the values of `refinement`: with consistent refinement a "
-      "smaller "
-      "step moves the same body, with naive refinement α is taken as it is. At dt = 0.01 both are "
-      "the default, so they share that point. Curves of rotation routines and of points a pup have "
-      "right answers of their own, singular values and a pup of many points at the same step.");
+      "smaller step moves the same body, with naive refinement α is taken as it is. At dt = 0.01 "
+      "both are the default, so they share that point. Curves of rotation routines and of points a "
+      "pup have right answers of their own, singular values and a pup of many points at the same "
+      "step.");
 }
 
 using Wanted = std::function<bool(const Params&)>;
@@ -74,8 +72,7 @@ void sum_up(Report& report, const std::vector<std::pair<Scene, SceneResult>>& sc
       "Errors as above, and in brackets the time in units of the default's. Twice the step takes "
       "half the time; what that costs stands under dt = 0.02. Note what the right answer is: not "
       "nature, but the limit of fine steps of the same body. The paper's model has dt = 0.01 in "
-      "it, "
-      "and its results are those of the default, errors included.");
+      "it, and its results are those of the default, errors included.");
   report.table(rows);
 }
 

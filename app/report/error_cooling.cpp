@@ -69,14 +69,12 @@ Scene cooling_scene(bool quick) {
   scene.title = "5. Cooling and heating";
   scene.about =
       "A pup of T_b = 1 cools by itself in air of 0.2 for one second (k₁ = 0.9). Beside it the "
-      "heat "
-      "rule alone is stepped for a pup with two thirds of its surface in that air and one third "
-      "against a neighbour that stays at 0.5, once with k₁ = 100 and k₂ = 30, once stiff, with "
-      "both "
-      "10⁴. All three have a closed form, an exponential approach to equilibrium. `heat = exact` "
-      "is "
-      "that form; what is left is rounding. `heat = euler` is of first order, and beyond 2/h, 200 "
-      "per second at the default step, it grows without bound: the errors above 1 are real.";
+      "heat rule alone is stepped for a pup with two thirds of its surface in that air and one "
+      "third against a neighbour that stays at 0.5, once with k₁ = 100 and k₂ = 30, once stiff, "
+      "with both 10⁴. All three have a closed form, an exponential approach to equilibrium. `heat "
+      "= exact` is that form; what is left is rounding. `heat = euler` is of first order, and "
+      "beyond 2/h, 200 per second at the default step, it grows without bound: the errors above 1 "
+      "are real.";
   scene.smallest_drawn = 1e-17;
   scene.quantities = {{"cooling", "T_b at k1 = 0.9"},
                       {"fast", "T_b at k1 = 100"},

@@ -114,10 +114,10 @@ void divergence_section(Report& report) {
   report.text("On average a difference grows by a factor e in " + rounded(1 / mean, 2) +
               " s once the pups touch. **What this means:** after about " + rounded(rounding, 2) +
               " model seconds of contact even two runs that differ by the rounding of one double "
-              "are two different litters. So compare means over seeds, never single runs made "
-              "with different settings, precision or step; and do not take the path of one litter "
-              "for a prediction. What can be relied on is that the same parameters and seed give "
-              "the same bits, on every machine that this program runs on.");
+              "are two different litters. So compare means over seeds, never single runs made with "
+              "different settings, precision or step; and do not take the path of one litter for a "
+              "prediction. What can be relied on is that the same parameters and seed give the "
+              "same bits, on every machine that this program runs on.");
 }
 
 }  // namespace pupflow::report

@@ -1,5 +1,4 @@
 // Scene 1 of the error report: a pup falls and lands.
-#include <algorithm>
 #include <cmath>
 
 #include "app/report/error_scenes.h"
@@ -50,16 +49,9 @@ Scene fall_scene(bool quick) {
   scene.quantities = {
       {"fall", "depth fallen before landing"}, {"height", "height"}, {"strain", "strain"}};
   const Params p = pup();
-  Params narrow = p, undamped = p;
-  narrow.precision = Precision::float_;
-  undamped.integrator = Integrator::explicit_;
   const int finest = quick ? 8 : 32;
-  scene.curves = {
-      {"consistent", halved(p, finest), true, {}},
-      {"naive", halved_naively(p, finest), false, {}},
-      {"consistent in float", halved(narrow, std::min(finest, kFinestFloat)), false, {}},
-      {"explicit", halved(undamped, finest), false, {}},
-      points_curve(p, quick)};
+  scene.curves = usual_curves(p, finest);
+  scene.curves.push_back(points_curve(p, quick));
   scene.standard = {"dt = 0.01, predictive, double", p, 0};
   set_reference(scene, p, 128 * finest);
   scene.run = [](const Setting& s) { return run(s, 20); };

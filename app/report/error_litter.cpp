@@ -192,8 +192,8 @@ std::string verdict(const Sample& reference, const std::vector<Sample>& samples)
 
 void add_plot(Report& report, const Params& params) {
   std::string body =
-      "  set logscale xy\n  set xlabel 'CPU seconds'\n  set grid lc '#dddddd'\n"
-      "  set multiplot layout 1,4 margins 0.05,0.985,0.3,0.92 spacing 0.055,0\n";
+      "  set logscale xy\n  set xlabel 'CPU seconds'\n  set grid lc '#dddddd'\n  set multiplot "
+      "layout 1,4 margins 0.05,0.985,0.3,0.92 spacing 0.055,0\n";
   const char* const groups[] = {"seeds",     "points", "steps", "step (naive)", "step (consistent)",
                                 "precision", "heat"};
   const char* const colors[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",

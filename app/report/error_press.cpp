@@ -1,5 +1,4 @@
 // Scene 4 of the error report: two pups pressed together by their drive.
-#include <algorithm>
 #include <cmath>
 
 #include "app/report/error_scenes.h"
@@ -48,30 +47,23 @@ Scene press_scene(bool quick) {
       "Two weightless pups, 0.02 apart and one 0.03 higher, drive into each other for 0.8 s. One "
       "starts at T_b = 0.8, the other at 0.4; heat goes only from one to the other. Held against a "
       "fine run: the distance of their centres, the share of the first pup's points in contact, "
-      "and "
-      "the temperature that it has lost. The pups' path converges, but only at about first order "
-      "and "
-      "from a large error: which points touch changes from step to step, and each step sets the "
-      "velocities of those that do. With naive refinement the displacement by contacts, too, is "
-      "done "
-      "once a step, and pups get harder as steps get shorter. The number of points matters as much "
-      "as the step: displacements of touching points add up, so more points are a harder pup.";
+      "and the temperature that it has lost. The pups' path converges, but only at about first "
+      "order and from a large error: which points touch changes from step to step, and each step "
+      "sets the velocities of those that do. With naive refinement the displacement by contacts, "
+      "too, is done once a step, and pups get harder as steps get shorter. The number of points "
+      "matters as much as the step: displacements of touching points add up, so more points are a "
+      "harder pup.";
   scene.smallest_drawn = 1e-3;
   scene.quantities = {
       {"distance", "distance"}, {"contact", "contact area"}, {"heat", "heat exchanged"}};
   const Params p = pair();
-  Params narrow = p, undamped = p, euler = p;
-  narrow.precision = Precision::float_;
-  undamped.integrator = Integrator::explicit_;
+  Params euler = p;
   euler.heat = HeatRule::euler;
   const int finest = quick ? 4 : 16;
-  scene.curves = {
-      {"consistent", halved(p, finest), true, {}},
-      {"naive", halved_naively(p, finest), false, {}},
-      {"consistent in float", halved(narrow, std::min(finest, kFinestFloat)), false, {}},
-      {"consistent with Euler heat", halved(euler, finest), false, {}},
-      {"explicit", halved(undamped, finest), false, {}},
-      points_curve(p, quick)};
+  scene.curves = usual_curves(p, finest);
+  scene.curves.insert(scene.curves.end() - 1,
+                      {"consistent with Euler heat", halved(euler, finest), false, {}});
+  scene.curves.push_back(points_curve(p, quick));
   scene.standard = {"dt = 0.01, predictive, double", p, 0};
   set_reference(scene, p, 256 * finest);
   scene.run = run;

@@ -1,6 +1,5 @@
 // Scene 2 of the error report: a pup turns without weight.
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "app/report/error_scenes.h"
@@ -82,27 +81,19 @@ Scene spin_scene(bool quick) {
   scene.title = "2. Free spin";
   scene.about =
       "A weightless pup turns at 1 rad/s about an oblique axis for one second. Its angular "
-      "momentum "
-      "should stay what it was. Its orientation is held against a fine run of the same soft body, "
-      "and against the rotation of a rigid one: a soft body widens a little as it turns and falls "
-      "behind, and where the third error stops falling, that is why. The rotation routines are "
-      "stepped at dt = 0.01 and held against the run with singular values at the same step: what "
-      "they show is the error of the routine alone, and their times leave out boundaries and "
-      "checks.";
+      "momentum should stay what it was. Its orientation is held against a fine run of the same "
+      "soft body, and against the rotation of a rigid one: a soft body widens a little as it turns "
+      "and falls behind, and where the third error stops falling, that is why. The rotation "
+      "routines are stepped at dt = 0.01 and held against the run with singular values at the same "
+      "step: what they show is the error of the routine alone, and their times leave out "
+      "boundaries and checks.";
   scene.quantities = {{"momentum", "angular momentum"},
                       {"orientation", "orientation"},
                       {"rigid", "orientation against a rigid body's"}};
   const Params p = pup();
-  Params narrow = p, undamped = p;
-  narrow.precision = Precision::float_;
-  undamped.integrator = Integrator::explicit_;
   const int finest = quick ? 8 : 32;
-  scene.curves = {
-      {"consistent", halved(p, finest), true, {}},
-      {"naive", halved_naively(p, finest), false, {}},
-      {"consistent in float", halved(narrow, std::min(finest, kFinestFloat)), false, {}},
-      {"explicit", halved(undamped, finest), false, {}},
-      rotation_curve(p)};
+  scene.curves = usual_curves(p, finest);
+  scene.curves.push_back(rotation_curve(p));
   scene.standard = {"dt = 0.01, Newton, double", p, 0};
   set_reference(scene, p, 128 * finest);
   scene.run = run;

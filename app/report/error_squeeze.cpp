@@ -1,5 +1,4 @@
 // Scene 3 of the error report: a squeezed pup springs back.
-#include <algorithm>
 #include <cmath>
 
 #include "app/report/error_scenes.h"
@@ -96,26 +95,18 @@ Scene squeeze_scene(bool quick) {
       "A weightless pup is deformed a little in three ways at once and let go: bent in a way that "
       "the quadratic fit can represent, blown up, and rippled in a way that the fit cannot "
       "represent. Each amplitude should follow the damped oscillator to which consistent "
-      "refinement "
-      "converges (docs/model.md, Refining the time step). Naive refinement, at fixed α, does not: "
-      "with every halving of the step the body gets stiffer, and it ends at another motion. The "
-      "explicit integrator has another limit as well, an oscillator without damping. Deformations "
-      "are 10⁻⁴ of the radius, so the closed form is off by about as much, and floats resolve only "
-      "three digits of them.";
+      "refinement converges (docs/model.md, Refining the time step). Naive refinement, at fixed α, "
+      "does not: with every halving of the step the body gets stiffer, and it ends at another "
+      "motion. The explicit integrator has another limit as well, an oscillator without damping. "
+      "Deformations are 10⁻⁴ of the radius, so the closed form is off by about as much, and floats "
+      "resolve only three digits of them.";
   scene.smallest_drawn = 1e-3;
   scene.quantities = {
       {"bend", "bend (fitted)"}, {"growth", "growth (volume)"}, {"ripple", "ripple (not fitted)"}};
   const Params p = pup();
-  Params narrow = p, undamped = p;
-  narrow.precision = Precision::float_;
-  undamped.integrator = Integrator::explicit_;
   const int finest = quick ? 16 : 128;
-  scene.curves = {
-      {"consistent", halved(p, finest), true, {}},
-      {"naive", halved_naively(p, finest), false, {}},
-      {"consistent in float", halved(narrow, std::min(finest, kFinestFloat)), false, {}},
-      {"explicit", halved(undamped, finest), false, {}},
-      rotation_curve(p)};
+  scene.curves = usual_curves(p, finest);
+  scene.curves.push_back(rotation_curve(p));
   scene.standard = {"dt = 0.01, Newton, double", p, 0};
   set_reference(scene, p, 1);
   scene.reference.label = "the closed form of the linear response";

@@ -1,5 +1,4 @@
 // Scene 6 of the error report: a pup passes a fixed warm neighbour.
-#include <algorithm>
 #include "app/report/error_scenes.h"
 #include "app/report/pups.h"
 
@@ -51,21 +50,13 @@ Scene steering_scene(bool quick) {
       "step, grazes it and turns towards it, for one second, without weight. Held against a fine "
       "run: its path and its course θ. This is the scene that converges worst. Contacts set "
       "velocities once a step, so while the pups graze each other the path depends on how often "
-      "that "
-      "happens; only well below dt = 0.01/8 does halving the step begin to halve the error.";
+      "that happens; only well below dt = 0.01/8 does halving the step begin to halve the error.";
   scene.smallest_drawn = 1e-3;
   scene.quantities = {{"path", "path"}, {"course", "course"}};
   const Params p = passing();
-  Params narrow = p, undamped = p;
-  narrow.precision = Precision::float_;
-  undamped.integrator = Integrator::explicit_;
   const int finest = quick ? 4 : 16;
-  scene.curves = {
-      {"consistent", halved(p, finest), true, {}},
-      {"naive", halved_naively(p, finest), false, {}},
-      {"consistent in float", halved(narrow, std::min(finest, kFinestFloat)), false, {}},
-      {"explicit", halved(undamped, finest), false, {}},
-      points_curve(p, quick)};
+  scene.curves = usual_curves(p, finest);
+  scene.curves.push_back(points_curve(p, quick));
   scene.standard = {"dt = 0.01, predictive, double", p, 0};
   set_reference(scene, p, 256 * finest);
   scene.run = run;

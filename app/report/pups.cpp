@@ -1,6 +1,7 @@
 #include "app/report/pups.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -127,6 +128,18 @@ std::vector<Setting> halved_naively(const Params& params, int finest) {
     settings.push_back(setting);
   }
   return settings;
+}
+
+std::vector<Curve> usual_curves(const Params& params, int finest) {
+  // The engine refuses finer ones in float, whose rounding would push the pups.
+  constexpr int kFinestFloat = 64;
+  Params narrow = params, undamped = params;
+  narrow.precision = Precision::float_;
+  undamped.integrator = Integrator::explicit_;
+  return {{"consistent", halved(params, finest), true, {}},
+          {"naive", halved_naively(params, finest), false, {}},
+          {"consistent in float", halved(narrow, std::min(finest, kFinestFloat)), false, {}},
+          {"explicit", halved(undamped, finest), false, {}}};
 }
 
 void set_reference(Scene& scene, const Params& params, int parts) {

@@ -54,11 +54,12 @@ Setting refined(const Params& params, int parts);
 /// Settings with steps 0.01, 0.005, ..., 0.01 / finest.
 std::vector<Setting> halved(const Params& params, int finest);
 
-/// Finest of those that the engine takes in float, whose rounding would push pups in shorter steps.
-constexpr int kFinestFloat = 64;
-
 /// The same with alpha taken as it is, from 0.02 on.
 std::vector<Setting> halved_naively(const Params& params, int finest);
+
+/// What every scene of bodies is computed with: consistent and naive refinement, consistent
+/// refinement in float, and the explicit integrator, down to steps of 0.01 / finest.
+std::vector<Curve> usual_curves(const Params& params, int finest);
 
 /// Sets reference and finer of a scene: double, with steps of 0.01 / parts and half of that.
 void set_reference(Scene& scene, const Params& params, int parts);

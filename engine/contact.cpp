@@ -215,8 +215,11 @@ Status Contacts<Real>::apply(const Params& params, double share_of_push, bool af
     if (touch.uppers > 0) sound &= move_point(touch, share, suspect, row + point, state);
     touch = Touch{};
   });
+  if (afferents) {
+    std::copy(mine.bits.begin(), mine.bits.end(), state.touching_points.data() + state.set(pup));
+    state.exposed[pup] = static_cast<double>(state.points - touching) / state.points;
+  }
   std::fill(mine.bits.begin(), mine.bits.end(), 0);
-  if (afferents) state.exposed[pup] = static_cast<double>(state.points - touching) / state.points;
   return sound ? Status{} : inspect_pup(state, pup, params.pup_radius, Stage::contact);
 }
 

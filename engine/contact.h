@@ -35,8 +35,9 @@ class Contacts {
   std::int64_t searched_pairs() const;
 
   /// Moves the points of `pup`, by `share_of_push` of what contacts displace them (1 but with a
-  /// refined step, refinement.h), and, with `afferents`, fills its `touched` and `exposed`. Its
-  /// bounds are no longer true. Different workers of the team may do different pups at a time.
+  /// refined step, refinement.h), and, with `afferents`, fills its `touched`, `touching_points` and
+  /// `exposed`. Its bounds are no longer true. Different workers of the team may do different pups
+  /// at a time.
   Status apply(const Params& params, double share_of_push, bool afferents, State<Real>& state,
                int pup, int worker);
 

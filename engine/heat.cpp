@@ -13,8 +13,7 @@ namespace {
 template <class Real>
 double mean_touched_temperature(const State<Real>& state, int pup) {
   const int* touched = state.touched.data() + state.flat(pup);
-  std::uint64_t touching[kMaxPointWords];
-  state.kernels->touching(touched, state.points, touching);
+  const std::uint64_t* touching = state.touching_points.data() + state.set(pup);
   double sum = 0;
   int count = 0;
   for_each_point(touching, words_for(state.points), [&](int i) {

@@ -68,8 +68,6 @@ struct Kernels {
   /// cx) > 0.
   void (*left)(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosine, Real sine,
                std::uint64_t* words);
-  /// Sets the bits of `words` where a point touched somebody: `touched` is not negative there.
-  void (*touching)(const int* touched, int points, std::uint64_t* words);
   /// Copies the points inside the region to `out`, in order, and pads them with points far away.
   void (*gather)(const Real* const xyz[3], int points, const Region<Real>& region,
                  Candidates<Real>& out);

@@ -223,13 +223,6 @@ void left(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosin
   }
 }
 
-void touching(const int* touched, int points, std::uint64_t* words) {
-  for (int w = 0; w < words_for(points); ++w) words[w] = 0;
-  int i = 0;
-  for (; i + 16 <= points; i += 16) set_bits(words, i, ~sign_bits(touched + i) & 0xffffu);
-  for (; i < points; ++i) set_bits(words, i, touched[i] >= 0 ? 1 : 0);
-}
-
 template <class Real>
 void gather(const Real* const xyz[3], int points, const Region<Real>& region,
             Candidates<Real>& out) {
@@ -374,9 +367,8 @@ bool touch(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
 }
 
 template <class Real>
-constexpr Kernels<Real> kTable{bounds<Real>, floor<Real>, predict<Real>, fit<Real>,
-                               pull<Real>,   dot<Real>,   left<Real>,    touching,
-                               gather<Real>, box<Real>,   touch<Real>};
+constexpr Kernels<Real> kTable{bounds<Real>, floor<Real>, predict<Real>, fit<Real>, pull<Real>,
+                               dot<Real>,    left<Real>,  gather<Real>,  box<Real>, touch<Real>};
 
 }  // namespace
 

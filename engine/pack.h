@@ -271,21 +271,5 @@ PUPFLOW_INLINE inline void compress_index(int first, std::uint32_t bits, int* to
 #endif
 }
 
-/// Bit i is set where from[i] is negative, for 16 numbers.
-PUPFLOW_INLINE inline std::uint32_t sign_bits(const int* from) {
-#if defined(__SSE2__)
-  std::uint32_t bits = 0;
-  PUPFLOW_UNROLL for (int i = 0; i < 4; ++i) {
-    const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from + 4 * i));
-    bits |= static_cast<std::uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(four))) << (4 * i);
-  }
-  return bits;
-#else
-  std::uint32_t bits = 0;
-  for (int i = 0; i < 16; ++i) bits |= (from[i] < 0 ? 1u : 0u) << i;
-  return bits;
-#endif
-}
-
 }  // namespace
 }  // namespace pupflow

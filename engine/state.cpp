@@ -22,6 +22,7 @@ State<Real> make_state(int pups, int points, InstructionSet set) {
   state.heading.assign(pups, 0);
   state.exposed.assign(pups, 1);
   state.touched.assign(state.flat(pups), -1);
+  state.touching_points.assign(state.set(pups), 0);
   return state;
 }
 

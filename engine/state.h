@@ -6,6 +6,7 @@
 
 #include "engine/aligned.h"
 #include "engine/kernels.h"
+#include "engine/point_set.h"
 
 namespace pupflow {
 
@@ -51,6 +52,8 @@ struct State {
 
   // Results of the contact stage.
   std::vector<int> touched;  // pup of the nearest touching point or -1; element j * points + i
+  std::vector<std::uint64_t>
+      touching_points;                 // the points that have one: a set per pup (point_set.h)
   std::vector<TouchingPair> touching;  // sorted
 
   const Kernels<Real>* kernels = nullptr;  // the loops over these arrays, for this processor
@@ -60,6 +63,7 @@ struct State {
 
   std::size_t row(int pup) const { return static_cast<std::size_t>(pup) * stride; }
   std::size_t flat(int pup) const { return static_cast<std::size_t>(pup) * points; }
+  std::size_t set(int pup) const { return static_cast<std::size_t>(pup) * words_for(points); }
 };
 
 /// A litter at rest with all points at the origin, stepped by the kernels of `set`.

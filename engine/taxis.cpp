@@ -35,10 +35,10 @@ SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
   const int* touched = state.touched.data() + state.flat(pup);
   const SinCos axis = sincos_fixed(direction);
   const int words = words_for(state.points);
-  std::uint64_t left[kMaxPointWords], touching[kMaxPointWords];
+  const std::uint64_t* touching = state.touching_points.data() + state.set(pup);
+  std::uint64_t left[kMaxPointWords];
   state.kernels->left(x, y, state.points, mean_of(cloud, state, x), mean_of(cloud, state, y),
                       static_cast<Real>(axis.cos), static_cast<Real>(axis.sin), left);
-  state.kernels->touching(touched, state.points, touching);
   if (first_on_axis) left[0] &= ~std::uint64_t{1};
   const auto is_left = [&](int i) { return (left[i / 64] >> (i % 64)) & 1; };
   double sum[2] = {0, 0};  // of T_c - T_a over the touching points: right, left

@@ -72,9 +72,14 @@ struct SidesFixture : ::testing::Test {
       state.x[i] = 1 + rest[i].x();
       state.y[i] = 2 + rest[i].y();
       state.z[i] = 3 + rest[i].z();
-      if (rest[i].x() > 0.01) state.touched[i] = 0;
+      if (rest[i].x() > 0.01) touch(i);
     }
     state.tb[0] = 0.9;
+  }
+  /// Lets point `i` touch pup 0.
+  void touch(int i) {
+    state.touched[i] = 0;
+    state.touching_points[i / 64] |= std::uint64_t{1} << (i % 64);
   }
   /// Turns the body out of its rest orientation, about an axis of no symmetry.
   void turn_body(double angle) {
@@ -120,7 +125,8 @@ TEST_F(SidesFixture, MeansAreOverAllPointsOfASide) {
 TEST_F(SidesFixture, AboutItsOwnAxisTheFirstPointIsOnNoSide) {
   // It lies on the axis, where rounding alone would decide; the rule says: not on the left.
   std::fill(state.touched.begin(), state.touched.end(), -1);
-  state.touched[0] = 0;
+  std::fill(state.touching_points.begin(), state.touching_points.end(), 0);
+  touch(0);
   for (const double angle : {0.1, 0.9, 2.2, -1.4}) {
     turn_body(angle);
     const SideTemperatures t = body_side_temperatures(params, cloud, state, 0);

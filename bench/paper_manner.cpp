@@ -91,11 +91,9 @@ void PaperManner::meet(int first, arma::uword i, int second, arma::uword j, doub
   const bool first_is_upper = a.position(2, i) >= b.position(2, j);
   Pup& upper = first_is_upper ? a : b;
   const arma::uword point = first_is_upper ? i : j;
-  const arma::vec e = first_is_upper ? a.position.col(i) - b.position.col(j)
-                                     : b.position.col(j) - a.position.col(i);
-  upper.push.col(point) += e * (2 * params_.point_radius - d);
-  upper.pull.col(point) -= e;
-  upper.uppers(point) += 1;
+  if (!(d < upper.lower(point))) return;
+  upper.lower(point) = d;
+  upper.partner.col(point) = first_is_upper ? b.position.col(j) : a.position.col(i);
 }
 
 void PaperManner::search_points(int first, int second) {
@@ -131,9 +129,9 @@ void PaperManner::search_pair(int first, int second) {
 void PaperManner::clear_contacts() {
   touching_.clear();
   for (Pup& pup : pups_) {
-    pup.push.zeros(3, rest_.n_cols);
-    pup.pull.zeros(3, rest_.n_cols);
-    pup.uppers.zeros(rest_.n_cols);
+    pup.partner.zeros(3, rest_.n_cols);
+    pup.lower.set_size(rest_.n_cols);
+    pup.lower.fill(arma::datum::inf);
     pup.nearest.zeros(rest_.n_cols);
     pup.touched.assign(rest_.n_cols, -1);
   }
@@ -144,9 +142,10 @@ void PaperManner::resolve_contacts() {
     double contacts = 0;
     for (arma::uword i = 0; i < rest_.n_cols; ++i) {
       if (pup.touched[i] >= 0) contacts += 1;
-      if (pup.uppers(i) == 0) continue;
-      pup.position.col(i) += pup.push.col(i);
-      pup.velocity.col(i) = pup.pull.col(i) / pup.uppers(i);
+      if (pup.lower(i) == arma::datum::inf) continue;
+      const arma::vec e = pup.position.col(i) - pup.partner.col(i);
+      pup.position.col(i) += e * (2 * params_.point_radius - pup.lower(i));
+      pup.velocity.col(i) = -e;
     }
     pup.exposed = 1 - contacts / static_cast<double>(rest_.n_cols);
   }

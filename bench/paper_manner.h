@@ -31,8 +31,8 @@ class PaperManner {
  private:
   struct Pup {
     arma::mat position, velocity;  // 3 x n
-    arma::mat push, pull;          // 3 x n: what the contacts of a step add up to
-    arma::vec uppers;              // contacts in which a point is the upper one
+    arma::mat partner;             // 3 x n: the nearest touching lower point
+    arma::vec lower;               // distance to it; infinite where there is none
     arma::vec nearest;             // distance to the nearest touching point
     std::vector<int> touched;      // its pup, or -1
     arma::uvec near;               // points to be searched

@@ -106,11 +106,11 @@ std::vector<int> PlainEigen<Real>::points_near(const Pup& pup, const Pup& other)
 }
 
 template <class Real>
-void PlainEigen<Real>::meet(Point& upper, const Point& lower, Real squared) const {
-  const Vector e = upper.position - lower.position;
-  upper.push += e * (static_cast<Real>(2 * params_.point_radius) - std::sqrt(squared));
-  upper.pull -= e;
-  ++upper.uppers;
+void PlainEigen<Real>::meet(Point& upper, const Point& lower, Real squared) {
+  if (upper.moves && !(squared < upper.lower)) return;
+  upper.moves = true;
+  upper.lower = squared;
+  upper.partner = lower.position;
 }
 
 template <class Real>
@@ -153,9 +153,10 @@ void PlainEigen<Real>::resolve_contacts(Pup& pup) const {
   int contacts = 0;
   for (Point& point : pup.points) {
     contacts += point.touched >= 0 ? 1 : 0;
-    if (point.uppers == 0) continue;
-    point.position += point.push;
-    point.velocity = point.pull / static_cast<Real>(point.uppers);
+    if (!point.moves) continue;
+    const Vector e = point.position - point.partner;
+    point.position += e * (static_cast<Real>(2 * params_.point_radius) - std::sqrt(point.lower));
+    point.velocity = -e;
   }
   pup.exposed = 1 - contacts / static_cast<double>(pup.points.size());
 }
@@ -166,9 +167,7 @@ void PlainEigen<Real>::contacts() {
   for (Pup& pup : pups_) {
     measure_box(pup);
     for (Point& point : pup.points) {
-      point.push.setZero();
-      point.pull.setZero();
-      point.uppers = 0;
+      point.moves = false;
       point.touched = -1;
     }
   }

@@ -27,10 +27,11 @@ class PlainEigen {
 
   struct Point {
     Vector position, velocity;
-    Vector push = Vector::Zero(), pull = push;  // what the contacts of a step add up to
-    int uppers = 0;                             // contacts in which this is the upper point
-    int touched = -1;                           // pup of the nearest touching point, or -1
-    Real nearest = 0;                           // squared distance to it
+    int touched = -1;                 // pup of the nearest touching point, or -1
+    Real nearest = 0;                 // squared distance to it
+    bool moves = false;               // some touching point is lower
+    Real lower = 0;                   // squared distance to the nearest of those
+    Vector partner = Vector::Zero();  // its position
   };
   struct Pup {
     std::vector<Point> points;
@@ -43,7 +44,7 @@ class PlainEigen {
   std::vector<int> points_near(const Pup& pup, const Pup& other) const;
   void contacts();
   bool search_pair(int first, int second);
-  void meet(Point& upper, const Point& lower, Real squared) const;
+  static void meet(Point& upper, const Point& lower, Real squared);
   void resolve_contacts(Pup& pup) const;
   void steer(Pup& pup) const;
   void warm();

@@ -9,12 +9,12 @@ void require_baseline_model(const Params& params) {
   constexpr double kLargestBeta = 0.9;  // beyond it the volume factor has another limit
   if (params.heading == Heading::course && params.integrator == Integrator::predictive &&
       params.heat == HeatRule::exact && params.refinement == Refinement::naive &&
-      params.beta <= kLargestBeta) {
+      params.contact == ContactRule::nearest && params.beta <= kLargestBeta) {
     return;
   }
   throw std::invalid_argument(
-      "the baselines step heading = course, integrator = predictive, heat = exact, refinement = "
-      "naive and beta at most 0.9");
+      "the baselines step contact = nearest, heading = course, integrator = predictive, heat = "
+      "exact, refinement = naive and beta at most 0.9");
 }
 
 double turn_of(const Params& params, double tb, double left, double right) {

@@ -40,7 +40,7 @@ void Contacts<Real>::Side::make_room(int stride) {
   const std::size_t room = stride + kLanes<Real>;
   point.resize(room + kPackBytes / sizeof(int));
   touching.resize(words_for(static_cast<int>(room)));
-  numbers.resize(11 * room);
+  numbers.resize(13 * room);
   // Set anew each time: in a copied simulation they would still point into the original.
   Real* next = numbers.data();
   const auto take = [&] {
@@ -48,7 +48,13 @@ void Contacts<Real>::Side::make_room(int stride) {
     return next - room;
   };
   candidates = {take(), take(), take(), point.data(), 0};
-  sums = {{take(), take(), take()}, {take(), take(), take()}, take(), take(), touching.data()};
+  contacts.nearest = take();
+  contacts.touching = touching.data();
+  contacts.lower = take();
+  contacts.partner = take();
+  for (Real*& row : contacts.push) row = take();
+  for (Real*& row : contacts.pull) row = take();
+  contacts.uppers = take();
 }
 
 template <class Real>
@@ -70,19 +76,18 @@ void Contacts<Real>::make_room(const State<Real>& state, int workers, std::size_
 }
 
 template <class Real>
-bool Contacts<Real>::touch_pair(const State<Real>& state, TouchingPair pair, Real reach,
-                                Worker& worker) const {
+bool Contacts<Real>::touch_pair(const State<Real>& state, TouchingPair pair, Worker& worker) const {
   const Bounds<Real>& a = state.bounds[pair.first];
   const Bounds<Real>& b = state.bounds[pair.second];
-  if (!balls_meet(a, b, reach)) return false;
+  if (!balls_meet(a, b, reach_)) return false;
   ++worker.searched;
   // First the points of one pup near the other as a whole, then those of the other near these few.
-  const Real margin = search_radius(Real(0), reach);
+  const Real margin = search_radius(Real(0), reach_);
   const auto gather = [&](int pup, const Bounds<Real>& ball, const Real low[3], const Real high[3],
                           Side& side) {
     const std::size_t row = state.row(pup);
     const Real* xyz[3] = {state.x.data() + row, state.y.data() + row, state.z.data() + row};
-    Region<Real> region{{}, search_radius(ball.radius, reach), {}, {}};
+    Region<Real> region{{}, search_radius(ball.radius, reach_), {}, {}};
     for (int axis = 0; axis < 3; ++axis) {
       region.centre[axis] = ball.centre[axis];
       region.low[axis] = widened(low[axis], -margin);
@@ -95,22 +100,49 @@ bool Contacts<Real>::touch_pair(const State<Real>& state, TouchingPair pair, Rea
   Real low[3], high[3];
   state.kernels->box(worker.first.candidates, low, high);
   if (!gather(pair.second, a, low, high, worker.second)) return false;
-  return state.kernels->touch(worker.first.candidates, worker.second.candidates, reach,
-                              worker.first.sums, worker.second.sums);
+  const auto touch =
+      rule_ == ContactRule::nearest ? state.kernels->touch_nearest : state.kernels->touch_sums;
+  return touch(worker.first.candidates, worker.second.candidates, reach_, worker.first.contacts,
+               worker.second.contacts);
+}
+
+/// The contacts of candidate `i` of `side` with those of `partners`.
+template <class Real>
+auto Contacts<Real>::touch_of(const Side& side, const Side& partners, int i) const -> Touch {
+  const CandidateContacts<Real>& contacts = side.contacts;
+  Touch touch;
+  if (rule_ == ContactRule::nearest) {
+    touch.lower = contacts.lower[i];
+    if (touch.lower < kInfinity) {
+      const auto partner = static_cast<int>(contacts.partner[i]);
+      const Candidates<Real>&a = side.candidates, &b = partners.candidates;
+      const Real e[3] = {a.x[i] - b.x[partner], a.y[i] - b.y[partner], a.z[i] - b.z[partner]};
+      const Real gap = reach_ - std::sqrt(touch.lower);
+      for (int axis = 0; axis < 3; ++axis) {
+        touch.push[axis] = e[axis] * gap;
+        touch.pull[axis] = -e[axis];
+      }
+      touch.movers = 1;
+    }
+  } else {
+    for (int axis = 0; axis < 3; ++axis) {
+      touch.push[axis] = contacts.push[axis][i];
+      touch.pull[axis] = contacts.pull[axis][i];
+    }
+    touch.movers = contacts.uppers[i];
+  }
+  touch.nearest = contacts.nearest[i];
+  touch.point = side.candidates.point[i];
+  return touch;
 }
 
 template <class Real>
-auto Contacts<Real>::record(const Side& side, int other, int worker, std::vector<Touch>& touches)
-    -> Range {
+auto Contacts<Real>::record(const Side& side, const Side& partners, int other, int worker,
+                            std::vector<Touch>& touches) const -> Range {
   const int begin = static_cast<int>(touches.size());
-  const ContactSums<Real>& sums = side.sums;
-  for_each_point(sums.touching, words_for(side.candidates.count), [&](int i) {
-    touches.push_back({{sums.push[0][i], sums.push[1][i], sums.push[2][i]},
-                       sums.uppers[i],
-                       {sums.pull[0][i], sums.pull[1][i], sums.pull[2][i]},
-                       sums.nearest[i],
-                       side.candidates.point[i],
-                       other});
+  for_each_point(side.contacts.touching, words_for(side.candidates.count), [&](int i) {
+    touches.push_back(touch_of(side, partners, i));
+    touches.back().other = other;
   });
   return {worker, begin, static_cast<int>(touches.size())};
 }
@@ -136,8 +168,9 @@ void Contacts<Real>::sort_by_pup(const std::vector<TouchingPair>& pairs, State<R
 
 template <class Real>
 void Contacts<Real>::find(const Params& params, State<Real>& state, Team& team) {
-  const auto reach = static_cast<Real>(2 * params.point_radius);
-  const std::vector<TouchingPair>& pairs = broad_phase_.find(state.bounds, reach);
+  rule_ = params.contact;
+  reach_ = static_cast<Real>(2 * params.point_radius);
+  const std::vector<TouchingPair>& pairs = broad_phase_.find(state.bounds, reach_);
   const int workers = useful_workers(team, state.pups);
   make_room(state, workers, pairs.capacity());
   state.touching.reserve(pairs.capacity());
@@ -146,9 +179,9 @@ void Contacts<Real>::find(const Params& params, State<Real>& state, Team& team) 
     Worker& mine = workers_[worker];
     const PupRange share = share_of(static_cast<int>(pairs.size()), worker, workers);
     for (int i = share.begin; i < share.end; ++i) {
-      if (!touch_pair(state, pairs[i], reach, mine)) continue;
-      found_[i].first = record(mine.first, pairs[i].second, worker, mine.touches);
-      found_[i].second = record(mine.second, pairs[i].first, worker, mine.touches);
+      if (!touch_pair(state, pairs[i], mine)) continue;
+      found_[i].first = record(mine.first, mine.second, pairs[i].second, worker, mine.touches);
+      found_[i].second = record(mine.second, mine.first, pairs[i].first, worker, mine.touches);
     }
   });
   sort_by_pup(pairs, state);
@@ -162,30 +195,40 @@ std::int64_t Contacts<Real>::searched_pairs() const {
 }
 
 template <class Real>
-void Contacts<Real>::add_up(std::span<const Touch> touches, Worker& mine) {
+void Contacts<Real>::add_up(std::span<const Touch> touches, Worker& mine) const {
   for (const Touch& touch : touches) {
     mine.bits[touch.point / 64] |= std::uint64_t{1} << (touch.point % 64);
     Touch& total = mine.total[touch.point];
-    const bool nearer = touch.nearest < total.nearest;  // pairs come in order: the first wins a tie
+    // Pairs come in the order of pups, so the first of equal distances is that of the lower pup.
+    const bool nearer = touch.nearest < total.nearest;
     total.nearest = nearer ? touch.nearest : total.nearest;
     total.other = nearer ? touch.other : total.other;
-    for (int axis = 0; axis < 3; ++axis) {
-      total.push[axis] += touch.push[axis];
-      total.pull[axis] += touch.pull[axis];
+    if (rule_ == ContactRule::nearest) {
+      if (!(touch.lower < total.lower)) continue;
+      std::copy(touch.push, touch.push + 3, total.push);
+      std::copy(touch.pull, touch.pull + 3, total.pull);
+      total.lower = touch.lower;
+      total.movers = 1;
+    } else {
+      for (int axis = 0; axis < 3; ++axis) {
+        total.push[axis] += touch.push[axis];
+        total.pull[axis] += touch.pull[axis];
+      }
+      total.movers += touch.movers;
     }
-    total.uppers += touch.uppers;
   }
 }
 
 /// Moves point `i` as its contacts say. False when that is suspiciously far.
 template <class Real>
 bool Contacts<Real>::move_point(const Touch& touch, Real share, Real suspect, std::size_t i,
-                                State<Real>& state) {
+                                State<Real>& state) const {
+  const Real mean = 1 / touch.movers;
+  if (rule_ == ContactRule::mean) share *= mean;
   const Real push[3] = {share * touch.push[0], share * touch.push[1], share * touch.push[2]};
   state.x[i] += push[0];
   state.y[i] += push[1];
   state.z[i] += push[2];
-  const Real mean = 1 / touch.uppers;
   state.vx[i] = touch.pull[0] * mean;
   state.vy[i] = touch.pull[1] * mean;
   state.vz[i] = touch.pull[2] * mean;
@@ -212,7 +255,7 @@ Status Contacts<Real>::apply(const Params& params, double share_of_push, bool af
     Touch& touch = mine.total[point];
     ++touching;
     if (afferents) touched[point] = touch.other;
-    if (touch.uppers > 0) sound &= move_point(touch, share, suspect, row + point, state);
+    if (touch.movers > 0) sound &= move_point(touch, share, suspect, row + point, state);
     touch = Touch{};
   });
   if (afferents) {

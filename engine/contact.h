@@ -1,11 +1,16 @@
 // Stage 2 of a step: contacts between pups.
 //
-// Two points of different pups touch when d = |p_a - p_b| < 2 r. Only the upper one moves. For an
-// upper point a over all its touching lower points b, from the positions before this stage: p_a <-
-// p_a + sum (p_a - p_b)(2 r - d), v_a <- mean of (p_b - p_a). At equal heights the point of the
-// lower pup index is the upper one. A point's nearest touching point (at equal distances that of
-// the lower pup, then point, index) says whose temperature its afferent feels. Wilson 2017,
-// Methods.
+// Two points of different pups touch when d = |p_a - p_b| < 2 r. Only the upper one moves, from the
+// positions before this stage:
+//
+//   contact = nearest   p_a <- p_a + (p_a - p_b)(2 r - d),          v_a <- p_b - p_a
+//   contact = mean      p_a <- p_a + mean of (p_a - p_b)(2 r - d),  v_a <- mean of (p_b - p_a)
+//   contact = sum       p_a <- p_a + sum of (p_a - p_b)(2 r - d),   v_a <- mean of (p_b - p_a)
+//
+// with b the nearest touching lower point, or over all touching lower points b. At equal heights
+// the point of the lower pup index is the upper one; at equal distances the point of the lower pup,
+// then of the lower point index, is the nearest. A point's nearest touching point, upper or lower,
+// says whose temperature its afferent feels. Wilson 2017, Methods; docs/model.md, Contacts.
 #pragma once
 
 #include <cstdint>
@@ -42,22 +47,26 @@ class Contacts {
                int pup, int worker);
 
  private:
-  /// What the contacts of one point with one other pup, or with all, come to.
+  static constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+
+  /// The contacts of one point with one other pup, or with all.
   struct Touch {
-    Real push[3] = {0, 0, 0};  // sum of (p_a - p_b)(2 r - d) where this point is the upper one
-    Real uppers = 0;           // contacts in which this point is the upper one
-    Real pull[3] = {0, 0, 0};  // sum of (p_b - p_a) there
-    Real nearest = std::numeric_limits<Real>::infinity();  // squared, to the nearest touching point
+    // Over those that move the point: its nearest lower point, or all lower points.
+    Real push[3] = {0, 0, 0};  // sum of (p_a - p_b)(2 r - d)
+    Real pull[3] = {0, 0, 0};  // sum of (p_b - p_a)
+    Real movers = 0;           // how many they are
+    Real lower = kInfinity;    // squared, to the nearest lower one; ContactRule::nearest only
+    Real nearest = kInfinity;  // squared, to the nearest touching point
     int point = 0;
     int other = -1;  // the pup of that nearest point
   };
-  /// The points of one pup that may touch another, and their sums.
+  /// The points of one pup that may touch another, and their contacts.
   struct Side {
     AlignedVector<Real> numbers;  // of all arrays below
     std::vector<int> point;
     std::vector<std::uint64_t> touching;
     Candidates<Real> candidates;
-    ContactSums<Real> sums;
+    CandidateContacts<Real> contacts;
     void make_room(int stride);
   };
   struct Worker {
@@ -77,13 +86,17 @@ class Contacts {
   };
 
   void make_room(const State<Real>& state, int workers, std::size_t pairs);
-  bool touch_pair(const State<Real>& state, TouchingPair pair, Real reach, Worker& worker) const;
-  static Range record(const Side& side, int other, int worker, std::vector<Touch>& touches);
+  bool touch_pair(const State<Real>& state, TouchingPair pair, Worker& worker) const;
+  Touch touch_of(const Side& side, const Side& partners, int i) const;
+  Range record(const Side& side, const Side& partners, int other, int worker,
+               std::vector<Touch>& touches) const;
   void sort_by_pup(const std::vector<TouchingPair>& pairs, State<Real>& state);
-  static void add_up(std::span<const Touch> touches, Worker& mine);
-  static bool move_point(const Touch& touch, Real share, Real suspect, std::size_t i,
-                         State<Real>& state);
+  void add_up(std::span<const Touch> touches, Worker& mine) const;
+  bool move_point(const Touch& touch, Real share, Real suspect, std::size_t i,
+                  State<Real>& state) const;
 
+  ContactRule rule_ = ContactRule::nearest;  // of this step
+  Real reach_ = 0;                           // 2 r
   BroadPhase<Real> broad_phase_;
   std::vector<Worker> workers_;
   std::vector<Found> found_;  // one per near pair

@@ -32,14 +32,18 @@ struct Candidates {
   int count;
 };
 
-/// What the contacts of each candidate with the other pup's come to.
+/// The contacts of each candidate with the other pup's candidates.
 template <class Real>
-struct ContactSums {
-  Real *push[3],
-      *pull[3];   // sums of (p_a - p_b)(reach - d) and of (p_b - p_a) where it is the upper one
-  Real* uppers;   // how many contacts those are
+struct CandidateContacts {
   Real* nearest;  // squared distance to the nearest touching point; infinite without contact
   std::uint64_t* touching;  // bit i is set where candidate i has a contact
+  // By touch_nearest:
+  Real* lower;    // squared distance to the nearest touching point below; infinite where none is
+  Real* partner;  // index of that point among the other pup's candidates: a whole number
+  // By touch_sums:
+  Real *push[3],
+      *pull[3];  // sums of (p_a - p_b)(reach - d) and of (p_b - p_a) where it is the upper one
+  Real* uppers;  // how many contacts those are
 };
 
 /// Arrays hold `stride` numbers (lanes.h). xyz are three such rows. Functions that take `points`
@@ -74,9 +78,14 @@ struct Kernels {
   /// The box round some candidates, at least one.
   void (*box)(const Candidates<Real>& candidates, Real low[3], Real high[3]);
   /// Contacts between two pups' candidates: pairs nearer than `reach`. At equal heights `a` is the
-  /// upper one. Returns whether there is any.
-  bool (*touch)(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
-                ContactSums<Real>& sums_a, ContactSums<Real>& sums_b);
+  /// upper one; at equal distances the candidate of the lower index is the nearer one. Returns
+  /// whether there is any; only then is the result complete. touch_nearest finds the nearest lower
+  /// point of each candidate, touch_sums the sums over all of them.
+  using Touch = bool(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
+                     const CandidateContacts<Real>& contacts_a,
+                     const CandidateContacts<Real>& contacts_b);
+  Touch* touch_nearest;
+  Touch* touch_sums;
 };
 
 /// The loops for one instruction set, which must be supported.

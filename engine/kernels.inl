@@ -63,13 +63,16 @@ void floor(Real r, int stride, Real* z, Real* vz) {
   }
 }
 
+/// The number of each lane.
+template <class Real>
+alignas(kPackBytes) constexpr Real kRamp[] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                              8, 9, 10, 11, 12, 13, 14, 15};
+
 /// The lanes of `value` that are among the first `count`, and `other` in the rest.
 template <class Real>
 PUPFLOW_INLINE inline Pack<Real> first_lanes(int count, const Pack<Real>& value,
                                              const Pack<Real>& other) {
-  alignas(kPackBytes) static constexpr Real kRamp[] = {0, 1, 2,  3,  4,  5,  6,  7,
-                                                       8, 9, 10, 11, 12, 13, 14, 15};
-  return select_less(Pack<Real>::load(kRamp), Pack<Real>::broadcast(static_cast<Real>(count)),
+  return select_less(Pack<Real>::load(kRamp<Real>), Pack<Real>::broadcast(static_cast<Real>(count)),
                      value, other);
 }
 
@@ -284,25 +287,70 @@ void box(const Candidates<Real>& candidates, Real low[3], Real high[3]) {
 }
 
 template <class Real>
-void clear(ContactSums<Real>& sums, int count) {
-  using P = Pack<Real>;
-  const P zero = P::zero(), nobody = P::broadcast(std::numeric_limits<Real>::infinity());
-  for (Real* const row : {sums.push[0], sums.push[1], sums.push[2], sums.pull[0], sums.pull[1],
-                          sums.pull[2], sums.uppers}) {
-    for (int i = 0; i < count; i += kLanes<Real>) zero.store(row + i);
-  }
-  for (int i = 0; i < count; i += kLanes<Real>) nobody.store(sums.nearest + i);
+void fill(Real value, int count, Real* row) {
+  const Pack<Real> all = Pack<Real>::broadcast(value);
+  for (int i = 0; i < count; i += kLanes<Real>) all.store(row + i);
 }
 
 /// Marks the candidates that have a contact.
 template <class Real>
-void mark_touching(const ContactSums<Real>& sums, int count) {
+void mark_touching(const CandidateContacts<Real>& contacts, int count) {
   using P = Pack<Real>;
-  const P nobody = P::broadcast(std::numeric_limits<Real>::infinity());
-  for (int w = 0; w < words_for(count); ++w) sums.touching[w] = 0;
+  const P infinity = P::broadcast(std::numeric_limits<Real>::infinity());
+  for (int w = 0; w < words_for(count); ++w) contacts.touching[w] = 0;
   for (int i = 0; i < count; i += kLanes<Real>) {
-    set_bits(sums.touching, i, less_bits(P::load(sums.nearest + i), nobody));
+    set_bits(contacts.touching, i, less_bits(P::load(contacts.nearest + i), infinity));
   }
+}
+
+template <class Real>
+bool touch_nearest(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
+                   const CandidateContacts<Real>& contacts_a,
+                   const CandidateContacts<Real>& contacts_b) {
+  using P = Pack<Real>;
+  constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+  const P zero = P::zero(), infinity = P::broadcast(kInfinity),
+          limit = P::broadcast(reach * reach), ramp = P::load(kRamp<Real>);
+  for (Real* const row : {contacts_a.nearest, contacts_a.lower}) fill(kInfinity, a.count, row);
+  for (Real* const row : {contacts_b.nearest, contacts_b.lower}) fill(kInfinity, b.count, row);
+  const CandidateContacts<Real> of_b = contacts_b;  // pointers that no store in the loop can change
+  const Real *const bx = b.x, *const by = b.y, *const bz = b.z;
+  const int count_b = b.count;
+  bool any = false;
+  for (int i = 0; i < a.count; ++i) {
+    const P x = P::broadcast(a.x[i]), y = P::broadcast(a.y[i]), z = P::broadcast(a.z[i]),
+            index = P::broadcast(static_cast<Real>(i));
+    P nearest = infinity, lower = infinity, partner = zero;
+    bool hit = false;
+    for (int j = 0; j < count_b; j += kLanes<Real>) {
+      const P dx = x - P::load(bx + j), dy = y - P::load(by + j), dz = z - P::load(bz + j);
+      const P d_squared = dx * dx + dy * dy + dz * dz;
+      if (less_bits(d_squared, limit) == 0) continue;
+      hit = true;
+      const P near = select_less(d_squared, limit, d_squared, infinity);
+      nearest = min(near, nearest);
+      min(near, P::load(of_b.nearest + j)).store(of_b.nearest + j);
+      // Either a or b is the upper one. A strict comparison keeps the first of equal distances.
+      const P below_a = select_less(dz, zero, infinity, near);
+      partner = select_less(below_a, lower, P::broadcast(static_cast<Real>(j)) + ramp, partner);
+      lower = min(below_a, lower);
+      const P below_b = select_less(dz, zero, near, infinity), before = P::load(of_b.lower + j);
+      select_less(below_b, before, index, P::load(of_b.partner + j)).store(of_b.partner + j);
+      min(below_b, before).store(of_b.lower + j);
+    }
+    if (!hit) continue;
+    any = true;
+    contacts_a.nearest[i] = nearest.least();
+    const Real least = lower.least();
+    contacts_a.lower[i] = least;
+    // Of the lanes at the least distance, the lowest index.
+    contacts_a.partner[i] = select_less(P::broadcast(least), lower, infinity, partner).least();
+  }
+  if (any) {
+    mark_touching(contacts_a, a.count);
+    mark_touching(contacts_b, b.count);
+  }
+  return any;
 }
 
 template <class Real>
@@ -311,21 +359,31 @@ PUPFLOW_INLINE inline void add(Real* to, const Pack<Real>& value) {
 }
 
 template <class Real>
-bool touch(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
-           ContactSums<Real>& sums_a, ContactSums<Real>& sums_b) {
+void clear_sums(const CandidateContacts<Real>& contacts, int count) {
+  for (Real* const row : {contacts.push[0], contacts.push[1], contacts.push[2], contacts.pull[0],
+                          contacts.pull[1], contacts.pull[2], contacts.uppers}) {
+    fill(Real(0), count, row);
+  }
+  fill(std::numeric_limits<Real>::infinity(), count, contacts.nearest);
+}
+
+template <class Real>
+bool touch_sums(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
+                const CandidateContacts<Real>& contacts_a,
+                const CandidateContacts<Real>& contacts_b) {
   using P = Pack<Real>;
   const P zero = P::zero(), one = P::broadcast(1), range = P::broadcast(reach);
   const P limit = P::broadcast(reach * reach),
-          nobody = P::broadcast(std::numeric_limits<Real>::infinity());
-  clear(sums_a, a.count);
-  clear(sums_b, b.count);
-  const ContactSums<Real> to_b = sums_b;  // pointers that no store in the loop can change
+          infinity = P::broadcast(std::numeric_limits<Real>::infinity());
+  clear_sums(contacts_a, a.count);
+  clear_sums(contacts_b, b.count);
+  const CandidateContacts<Real> to_b = contacts_b;  // pointers that no store in the loop can change
   const Real *const bx = b.x, *const by = b.y, *const bz = b.z;
   const int count_b = b.count;
   bool any = false;
   for (int i = 0; i < a.count; ++i) {
     const P x = P::broadcast(a.x[i]), y = P::broadcast(a.y[i]), z = P::broadcast(a.z[i]);
-    P push[3] = {zero, zero, zero}, pull[3] = {zero, zero, zero}, uppers = zero, nearest = nobody;
+    P push[3] = {zero, zero, zero}, pull[3] = {zero, zero, zero}, uppers = zero, nearest = infinity;
     bool hit = false;
     for (int j = 0; j < count_b; j += kLanes<Real>) {
       const P e[3] = {x - P::load(bx + j), y - P::load(by + j), z - P::load(bz + j)};
@@ -338,7 +396,7 @@ bool touch(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
       const P gap_b = select_less(e[2], zero, gap, zero),
               upper_b = select_less(e[2], zero, touches, zero);
       const P gap_a = gap - gap_b, upper_a = touches - upper_b;
-      const P near = select_less(d_squared, limit, d_squared, nobody);
+      const P near = select_less(d_squared, limit, d_squared, infinity);
       PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) {
         push[axis] += e[axis] * gap_a;
         pull[axis] += e[axis] * upper_a;
@@ -353,22 +411,22 @@ bool touch(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
     if (!hit) continue;
     any = true;
     PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) {
-      sums_a.push[axis][i] = push[axis].sum();
-      sums_a.pull[axis][i] = -pull[axis].sum();
+      contacts_a.push[axis][i] = push[axis].sum();
+      contacts_a.pull[axis][i] = -pull[axis].sum();
     }
-    sums_a.uppers[i] = uppers.sum();
-    sums_a.nearest[i] = nearest.least();
+    contacts_a.uppers[i] = uppers.sum();
+    contacts_a.nearest[i] = nearest.least();
   }
   if (any) {
-    mark_touching(sums_a, a.count);
-    mark_touching(sums_b, b.count);
+    mark_touching(contacts_a, a.count);
+    mark_touching(contacts_b, b.count);
   }
   return any;
 }
 
 template <class Real>
 constexpr Kernels<Real> kTable{bounds<Real>, floor<Real>, predict<Real>, fit<Real>, pull<Real>,
-                               dot<Real>,    left<Real>,  gather<Real>,  box<Real>, touch<Real>};
+                               dot<Real>,    left<Real>,  gather<Real>,  box<Real>, touch_nearest<Real>, touch_sums<Real>};
 
 }  // namespace
 

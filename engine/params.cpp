@@ -14,6 +14,7 @@ constexpr double kExactInteger = 9007199254740991.0;  // 2^53 - 1: whole in a do
 
 constexpr std::array<std::string_view, 2> kHeadingNames{"course", "body"};
 constexpr std::array<std::string_view, 2> kStartNames{"column", "carpet"};
+constexpr std::array<std::string_view, 3> kContactNames{"nearest", "mean", "sum"};
 constexpr std::array<std::string_view, 2> kRefinementNames{"naive", "consistent"};
 constexpr std::array<std::string_view, 2> kIntegratorNames{"predictive", "explicit"};
 constexpr std::array<std::string_view, 2> kHeatNames{"exact", "euler"};
@@ -37,7 +38,8 @@ struct Words {
 /// A row whose accessors reach the member `Member` of Params.
 template <auto Member>
 constexpr Parameter row(Effect effect, Range range, const Words& words,
-                        std::span<const std::string_view> choices = {}) {
+                        std::span<const std::string_view> choices = {},
+                        double before = static_cast<double>(Params{}.*Member)) {
   using Value = std::remove_cvref_t<decltype(Params{}.*Member)>;
   constexpr Kind kind = std::is_enum_v<Value>       ? Kind::choice
                         : std::is_integral_v<Value> ? Kind::integer
@@ -65,14 +67,17 @@ constexpr Parameter row(Effect effect, Range range, const Words& words,
                      } else {
                        p.*Member = static_cast<Value>(static_cast<std::int64_t>(value));
                      }
-                   }};
+                   },
+                   before};
 }
 
 template <auto Member>
 constexpr Parameter choice(Effect effect, std::span<const std::string_view> names,
-                           const Words& words) {
+                           const Words& words,
+                           std::remove_cvref_t<decltype(Params{}.*Member)> before = Params{}.*
+                                                                                    Member) {
   const double last = static_cast<double>(names.size()) - 1;
-  return row<Member>(effect, {0, last, 0, last}, words, names);
+  return row<Member>(effect, {0, last, 0, last}, words, names, static_cast<double>(before));
 }
 
 constexpr std::string_view kPaper = "Wilson 2017";
@@ -96,6 +101,12 @@ constexpr std::array kTable{
     row<&Params::gravity>(
         Effect::next_step, {0, kInfinity, 0, 50},
         {"gravity", "g", "gravity", "length/s²", "body", kPaper, "Acceleration downwards."}),
+    choice<&Params::contact>(
+        Effect::next_step, kContactNames,
+        {"contact", "", "contact rule", "", "body", "readings of Wilson 2017",
+         "nearest: a point is moved by its nearest touching lower point alone; mean: by the mean "
+         "over all of them; sum: by their sum."},
+        ContactRule::sum),
     row<&Params::tp>(Effect::next_step, {-kInfinity, kInfinity, 0, 1},
                      {"tp", "T_p", "preferred temperature", "", "heat", kPaper,
                       "Body temperature that a pup seeks; 0.6 is 37 deg C."}),

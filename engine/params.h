@@ -15,6 +15,7 @@ namespace pupflow {
 enum class Heading { course, body };              // which direction a pup steers about
 enum class Start { column, carpet };              // how the litter is laid out at t = 0
 enum class Integrator { predictive, explicit_ };  // goals from x* (Mueller 2005, sec. 3.3) or x(t)
+enum class ContactRule { nearest, mean, sum };    // which touching points move a point (contact.h)
 enum class Refinement { naive, consistent };      // alpha per step, or per 0.01 s (refinement.h)
 enum class HeatRule { exact, euler };      // solution of the linear equation, or one Euler step
 enum class Precision { float_, double_ };  // arithmetic of the point arrays
@@ -50,6 +51,7 @@ struct Params {
   Heading heading = Heading::course;
   Start start = Start::column;
   double start_spread = 0.25;
+  ContactRule contact = ContactRule::nearest;
   Refinement refinement = Refinement::naive;
   Integrator integrator = Integrator::predictive;
   HeatRule heat = HeatRule::exact;
@@ -82,6 +84,7 @@ struct Parameter {
   std::span<const std::string_view> choices;  // names of a choice, in the order of its enum
   double (*get)(const Params&);               // integers and choices as whole numbers
   void (*set)(Params&, double);
+  double before;  // what a file means that was written before this parameter existed
 
   double default_value() const { return get(Params{}); }
 };

@@ -1,6 +1,7 @@
 #include "app/io/provenance.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "app/io/checkpoint.h"
 #include "app/io/csv.h"
@@ -24,13 +25,25 @@ TextEntries provenance(const Params& params, const TextEntries& extra) {
 }
 
 Params params_from(const TextEntries& entries, const std::string& where) {
+  const auto find = [&](std::string_view name) {
+    return std::find_if(entries.begin(), entries.end(),
+                        [&](const auto& entry) { return entry.first == name; });
+  };
+  const auto is_ours = [&](std::string_view key) {  // a sweep's manifest is TOML: small letters
+    const auto entry = find(key);
+    return entry != entries.end() && entry->second.starts_with("pupflow ");
+  };
+  if (!is_ours("Software") && !is_ours("software")) {
+    throw Failure(
+        ExitCode::bad_input,
+        where + ": does not say that pupflow wrote it, so it holds no parameters to take");
+  }
   Params params;
-  std::string missing;
+  std::vector<const Parameter*> missing;
   for (const Parameter& parameter : parameters()) {
-    const auto entry = std::find_if(entries.begin(), entries.end(),
-                                    [&](const auto& e) { return e.first == parameter.name; });
+    const auto entry = find(parameter.name);
     if (entry == entries.end()) {
-      missing += (missing.empty() ? "" : ", ") + std::string(parameter.name);
+      missing.push_back(&parameter);
       continue;
     }
     Problem problem;
@@ -38,11 +51,21 @@ Params params_from(const TextEntries& entries, const std::string& where) {
       throw Failure(ExitCode::bad_input, where + ": " + problem.message);
     }
   }
-  if (missing.empty()) return params;
-  throw Failure(ExitCode::bad_input, where +
-                                         ": does not hold a full parameter set as this program "
-                                         "writes it; missing: " +
-                                         missing);
+  take_as_before(missing, where, params);
+  return params;
+}
+
+void take_as_before(const std::vector<const Parameter*>& missing, const std::string& where,
+                    Params& params) {
+  if (missing.empty()) return;
+  std::string taken;
+  for (const Parameter* parameter : missing) {
+    parameter->set(params, parameter->before);
+    taken += (taken.empty() ? "" : ", ") + std::string(parameter->name) + " = " +
+             format_value(*parameter, params);
+  }
+  std::fprintf(stderr, "pupflow: note: %s was written by an older version; taking %s\n",
+               where.c_str(), taken.c_str());
 }
 
 Params params_of_file(const std::string& path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/io/png.h"
 #include "engine/params.h"
@@ -15,9 +16,16 @@ std::string version();
 /// same parameters. `extra` entries (e.g. the step of a picture) follow.
 TextEntries provenance(const Params& params, const TextEntries& extra = {});
 
-/// The parameters in such entries; entries that are no parameters are skipped. Throws
-/// Failure(bad_input), naming `where`, when a parameter is missing or its value is bad.
+/// The parameters in such entries; entries that are no parameters are skipped. A parameter that is
+/// missing takes its value by take_as_before. Throws Failure(bad_input), naming `where`, when the
+/// entries were not written by this program or a value is bad.
 Params params_from(const TextEntries& entries, const std::string& where);
+
+/// Sets the parameters `missing` in a file of an older version to what that version did
+/// (Parameter::before), and says so in one line on standard error. Does nothing when none is
+/// missing.
+void take_as_before(const std::vector<const Parameter*>& missing, const std::string& where,
+                    Params& params);
 
 /// The parameters that made `path`, a PNG, CSV or HDF5 file written by this program. Throws
 /// Failure.

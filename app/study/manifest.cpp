@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "app/io/failure.h"
+#include "app/io/provenance.h"
 #include "app/study/design.h"
 
 namespace pupflow::study {
@@ -65,6 +66,7 @@ Design parse_manifest(const std::string& text, const std::string& where) {
     for (const toml::node& axis : *vary)
       design.axes.push_back(parse_axis(axis.value_or(std::string())));
   }
+  std::vector<const Parameter*> missing;
   for (const Parameter& parameter : parameters()) {
     const std::string name(parameter.name);
     const auto node = table["parameters"][name];
@@ -74,11 +76,15 @@ Design parse_manifest(const std::string& text, const std::string& where) {
       value = *word;
     } else if (const auto number = node.value<double>()) {
       value = format_value(parameter, *number);
+    } else if (!node) {
+      missing.push_back(&parameter);
+      continue;
     } else {
-      refuse(where, "parameter " + name + " is missing");
+      refuse(where, "parameter " + name + " is of another kind");
     }
     if (!parse_value(parameter, value, design.base, problem)) refuse(where, problem.message);
   }
+  io::take_as_before(missing, where, design.base);
   if (design.seeds < 1) refuse(where, "seeds must be at least 1");
   check_design(design);
   return design;

@@ -61,13 +61,28 @@ TEST(Provenance, NamesTheVersion) {
   EXPECT_THAT(entries.front().second, testing::MatchesRegex("pupflow [0-9.]+"));
 }
 
-TEST(Provenance, RefusesAnIncompleteOrWrongSet) {
+TEST(Provenance, AFileWithoutAParameterMeansWhatItsVersionDid) {
+  Params params;
+  params.contact = ContactRule::mean;
+  params.beta = 0.25;
+  TextEntries entries = provenance(params);
+  std::erase_if(entries, [](const auto& e) { return e.first == "contact" || e.first == "beta"; });
+  testing::internal::CaptureStderr();
+  const Params taken = params_from(entries, "old.csv");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "pupflow: note: old.csv was written by an older version; taking beta = 0.5, contact = "
+            "sum\n");
+  EXPECT_EQ(taken.contact, ContactRule::sum);  // what ran before there was a choice
+  EXPECT_EQ(taken.beta, 0.5);                  // the default
+}
+
+TEST(Provenance, RefusesWhatIsNotOursOrWrong) {
   TextEntries entries = provenance(Params{});
+  std::erase_if(entries, [](const auto& e) { return e.first == "Software"; });
+  EXPECT_THAT(failure_of(ExitCode::bad_input, [&] { params_from(entries, "other.csv"); }),
+              HasSubstr("other.csv: does not say that pupflow wrote it"));
+  entries = provenance(Params{});
   std::erase_if(entries, [](const auto& e) { return e.first == "beta"; });
-  const std::string missing =
-      failure_of(ExitCode::bad_input, [&] { params_from(entries, "old.csv"); });
-  EXPECT_THAT(missing, HasSubstr("old.csv"));
-  EXPECT_THAT(missing, HasSubstr("missing: beta"));
   entries.emplace_back("beta", "much");
   EXPECT_THAT(failure_of(ExitCode::bad_input, [&] { params_from(entries, "old.csv"); }),
               HasSubstr("old.csv: beta = 'much'"));

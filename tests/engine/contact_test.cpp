@@ -50,7 +50,7 @@ State<Real> random_pile(int pups, double spread, std::uint64_t seed) {
 
 /// The contact rule, straight from its definition: every point against every other.
 template <class Real>
-State<Real> brute_force(const State<Real>& before, double point_radius) {
+State<Real> brute_force(const State<Real>& before, ContactRule rule, double point_radius) {
   State<Real> after = before;
   std::set<std::pair<int, int>> touching;
   const double reach = 2 * point_radius;
@@ -63,7 +63,7 @@ State<Real> brute_force(const State<Real>& before, double point_radius) {
       const std::size_t a = before.row(j) + i;
       Eigen::Vector3d push = Eigen::Vector3d::Zero(), pull = Eigen::Vector3d::Zero();
       int uppers = 0, owner = -1;
-      double nearest = reach;
+      double nearest = reach, nearest_lower = reach;
       for (int k = 0; k < before.pups; ++k) {
         if (k == j) continue;
         for (int l = 0; l < before.points; ++l) {
@@ -78,6 +78,12 @@ State<Real> brute_force(const State<Real>& before, double point_radius) {
           }
           const bool upper = before.z[a] != before.z[b] ? before.z[a] > before.z[b] : j < k;
           if (!upper) continue;
+          if (rule == ContactRule::nearest) {
+            if (!(d < nearest_lower)) continue;
+            nearest_lower = d;
+            push = pull = Eigen::Vector3d::Zero();
+            uppers = 0;
+          }
           push += e * (reach - d);
           pull -= e;
           ++uppers;
@@ -86,6 +92,7 @@ State<Real> brute_force(const State<Real>& before, double point_radius) {
       after.touched[before.flat(j) + i] = owner;
       contacts += owner >= 0 ? 1 : 0;
       if (uppers == 0) continue;
+      if (rule == ContactRule::mean) push /= uppers;
       after.x[a] += static_cast<Real>(push.x());
       after.y[a] += static_cast<Real>(push.y());
       after.z[a] += static_cast<Real>(push.z());
@@ -101,19 +108,21 @@ State<Real> brute_force(const State<Real>& before, double point_radius) {
 }
 
 template <class Real>
-class ContactRule : public ::testing::Test {};
+class ContactStage : public ::testing::Test {};
 using Precisions = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(ContactRule, Precisions);
+TYPED_TEST_SUITE(ContactStage, Precisions);
 
-TYPED_TEST(ContactRule, BroadPhaseFindsWhatBruteForceFinds) {
+TYPED_TEST(ContactStage, BroadPhaseFindsWhatBruteForceFinds) {
   const double tolerance = sizeof(TypeParam) == 4 ? 2e-6 : 1e-14;
-  Params params;
   Contacts<TypeParam> contacts;  // reused, as a step does
   std::size_t seen = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 18; ++seed) {
+    Params params;
+    params.contact = static_cast<ContactRule>(seed % 3);
+    SCOPED_TRACE(seed);
     State<TypeParam> state = random_pile<TypeParam>(3 + static_cast<int>(seed) % 8,
                                                     0.2 + 0.05 * static_cast<double>(seed), seed);
-    const State<TypeParam> expected = brute_force(state, params.point_radius);
+    const State<TypeParam> expected = brute_force(state, params.contact, params.point_radius);
     ASSERT_TRUE(resolve(contacts, params, state).ok());
     EXPECT_EQ(state.touching, expected.touching);
     EXPECT_EQ(state.touched, expected.touched);
@@ -147,7 +156,7 @@ State<double> two_points(double z0, double z1, double distance) {
   return state;
 }
 
-TEST(ContactRule, AtEqualHeightsTheLowerIndexMoves) {
+TEST(ContactStage, AtEqualHeightsTheLowerIndexMoves) {
   Params params;
   Contacts<double> contacts;
   State<double> state = two_points(1, 1, 0.06);
@@ -157,7 +166,104 @@ TEST(ContactRule, AtEqualHeightsTheLowerIndexMoves) {
   EXPECT_NEAR(state.vx[0], 0.06, 1e-15);  // towards the other: the rule attracts
 }
 
-TEST(ContactRule, CoincidentPointsTouchAndStayFinite) {
+/// Pups whose points stand at given places.
+State<double> points_at(const std::vector<std::vector<Eigen::Vector3d>>& pups) {
+  State<double> state =
+      make_state<double>(static_cast<int>(pups.size()), static_cast<int>(pups[0].size()));
+  for (int pup = 0; pup < state.pups; ++pup) {
+    for (int i = 0; i < state.stride; ++i) {
+      const auto& points = pups[static_cast<std::size_t>(pup)];
+      const Eigen::Vector3d& p = points[std::min<std::size_t>(i, points.size() - 1)];
+      const std::size_t k = state.row(pup) + i;
+      state.x[k] = p.x();
+      state.y[k] = p.y();
+      state.z[k] = p.z();
+    }
+    update_bounds(state, pup);
+  }
+  return state;
+}
+
+/// A point at (0, 0, 1) over two lower ones of another pup, 0.05 and 0.03 below; r = 0.05.
+State<double> over_two(ContactRule rule) {
+  Params params;
+  params.contact = rule;
+  Contacts<double> contacts;
+  State<double> state = points_at({{{0, 0, 1}, {0, 0, 5}}, {{0, 0, 0.95}, {0, 0, 0.97}}});
+  resolve(contacts, params, state);
+  return state;
+}
+
+TEST(ContactStage, TheNearestLowerPointAloneMovesAPoint) {
+  const State<double> state = over_two(ContactRule::nearest);
+  EXPECT_NEAR(state.z[0], 1 + 0.03 * 0.07, 1e-15);
+  EXPECT_NEAR(state.vz[0], -0.03, 1e-15);
+}
+
+TEST(ContactStage, MeanAndSumTakeAllLowerPoints) {
+  const double sum = 0.05 * 0.05 + 0.03 * 0.07;
+  State<double> state = over_two(ContactRule::mean);
+  EXPECT_NEAR(state.z[0], 1 + sum / 2, 1e-15);
+  EXPECT_NEAR(state.vz[0], -0.04, 1e-15);
+  state = over_two(ContactRule::sum);
+  EXPECT_NEAR(state.z[0], 1 + sum, 1e-15);
+  EXPECT_NEAR(state.vz[0], -0.04, 1e-15);
+}
+
+TEST(ContactStage, AnUpperPointMayBeNearerAndDoesNotMoveIt) {
+  Params params;
+  Contacts<double> contacts;
+  // Pup 1's points: one above at 0.01, one below at 0.06. The first says what is felt, not where to
+  // go; it moves itself.
+  State<double> state = points_at({{{0, 0, 1}, {0, 0, 5}}, {{0, 0, 1.01}, {0, 0, 0.94}}});
+  resolve(contacts, params, state);
+  EXPECT_NEAR(state.z[0], 1 + 0.06 * 0.04, 1e-15);
+  EXPECT_NEAR(state.z[state.row(1)], 1.01 + 0.01 * 0.09, 1e-15);
+  EXPECT_EQ(state.z[state.row(1) + 1], 0.94);
+}
+
+TEST(ContactStage, OfEquallyNearPointsTheLowerPupThenTheLowerPointMoves) {
+  Params params;
+  Contacts<double> contacts;
+  // Distances are exact in binary. Pup 2's point 0 lies over two points of pup 0 and one of pup 1.
+  const double d = 0.0625, z = 1 - d;
+  State<double> state =
+      points_at({{{d, 0, z}, {-d, 0, z}}, {{0, d, z}, {0, 9, 9}}, {{0, 0, 1}, {9, 9, 9}}});
+  resolve(contacts, params, state);
+  EXPECT_EQ(state.vx[state.row(2)], d);
+  EXPECT_EQ(state.vy[state.row(2)], 0);
+  EXPECT_EQ(state.touched[state.flat(2)], 0);
+  // With pups 0 and 1 changed about, pup 0 is the one at (0, d).
+  state = points_at({{{0, d, z}, {0, 9, 9}}, {{d, 0, z}, {-d, 0, z}}, {{0, 0, 1}, {9, 9, 9}}});
+  resolve(contacts, params, state);
+  EXPECT_EQ(state.vx[state.row(2)], 0);
+  EXPECT_EQ(state.vy[state.row(2)], d);
+}
+
+/// The tie rule holds wherever in a pack the points stand, on both sides of a pair.
+TEST(ContactStage, EquallyNearPointsInAnyLane) {
+  Params params;
+  const double d = 0.0625, z = 1 - d;
+  for (const InstructionSet set : supported_instruction_sets()) {
+    for (int first = 0; first < 40; ++first) {
+      const int second = 40 - first / 2;
+      std::vector<Eigen::Vector3d> many(48, {9, 9, 9}), single(48, {-9, 9, 9});
+      many[static_cast<std::size_t>(first)] = {d, 0, z};
+      many[static_cast<std::size_t>(second)] = {-d, 0, z};
+      single[7] = {0, 0, 1};
+      for (const bool swapped : {false, true}) {
+        State<double> state = swapped ? points_at({single, many}) : points_at({many, single});
+        state.kernels = &kernels_for<double>(set);
+        Contacts<double> contacts;
+        resolve(contacts, params, state);
+        EXPECT_EQ(state.vx[state.row(swapped ? 0 : 1) + 7], first < second ? d : -d)
+            << first << ' ' << swapped;
+      }
+    }
+  }
+}
+
+TEST(ContactStage, CoincidentPointsTouchAndStayFinite) {
   Params params;
   Contacts<double> contacts;
   State<double> state = two_points(1, 1, 0);
@@ -167,7 +273,7 @@ TEST(ContactRule, CoincidentPointsTouchAndStayFinite) {
   EXPECT_EQ(state.exposed[0], 0);
 }
 
-TEST(ContactRule, TouchingIsStrict) {
+TEST(ContactStage, TouchingIsStrict) {
   Params params;
   params.point_radius = 0.25;
   Contacts<double> contacts;

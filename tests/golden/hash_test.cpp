@@ -23,8 +23,27 @@ std::uint64_t hash_after(void (*edit)(Params&)) {
 }
 
 TEST(Golden, ThePapersLitter) {
-  EXPECT_EQ(hash_after([](Params&) {}), 0x6b6d41fe3fe481dfu);
-  EXPECT_EQ(hash_after([](Params& p) { p.precision = Precision::float_; }), 0x3837bb0f659df27au);
+  EXPECT_EQ(hash_after([](Params&) {}), 0xc696efdc14174a71u);
+  EXPECT_EQ(hash_after([](Params& p) { p.precision = Precision::float_; }), 0x9040f420f93e22e4u);
+}
+
+/// The hashes of version 0.1.0, whose only rule this was.
+TEST(Golden, SummedContacts) {
+  EXPECT_EQ(hash_after([](Params& p) { p.contact = ContactRule::sum; }), 0x6b6d41fe3fe481dfu);
+  EXPECT_EQ(hash_after([](Params& p) {
+              p.contact = ContactRule::sum;
+              p.precision = Precision::float_;
+            }),
+            0x3837bb0f659df27au);
+}
+
+TEST(Golden, MeanContacts) {
+  EXPECT_EQ(hash_after([](Params& p) { p.contact = ContactRule::mean; }), 0x937cb4eec8c07a3du);
+  EXPECT_EQ(hash_after([](Params& p) {
+              p.contact = ContactRule::mean;
+              p.precision = Precision::float_;
+            }),
+            0x9de8564ff916b62u);
 }
 
 TEST(Golden, BodyHeadingAndEulerHeat) {
@@ -32,7 +51,7 @@ TEST(Golden, BodyHeadingAndEulerHeat) {
               p.heading = Heading::body;
               p.heat = HeatRule::euler;
             }),
-            0xdb2171433076e436u);
+            0xa09d33c4bfec3780u);
 }
 
 TEST(Golden, RigidPupsOnACarpet) {
@@ -43,7 +62,7 @@ TEST(Golden, RigidPupsOnACarpet) {
               p.start = Start::carpet;
               p.precision = Precision::float_;
             }),
-            0xe9ccd1eef2e32f63u);
+            0x938c6eb4c9484adcu);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "app/io/failure.h"
 #include "app/io/provenance.h"
+#include "app/io/text.h"
 #include "app/study/design.h"
 
 namespace pupflow::study {
@@ -65,6 +66,12 @@ Design parse_manifest(const std::string& text, const std::string& where) {
   if (const toml::array* vary = sweep["vary"].as_array()) {
     for (const toml::node& axis : *vary)
       design.axes.push_back(parse_axis(axis.value_or(std::string())));
+  }
+  if (const toml::table* given = table["parameters"].as_table()) {
+    for (const auto& [key, value] : *given) {
+      if (find_parameter(key.str())) continue;
+      refuse(where, "this version has no parameter " + io::quoted(key.str()));
+    }
   }
   std::vector<const Parameter*> missing;
   for (const Parameter& parameter : parameters()) {

@@ -101,7 +101,8 @@ TEST(Figure1, PanelsShowTheLittersTemperatures) {
     EXPECT_NEAR(panels[i].end - panels[i].begin, job.panel / 1.04, 2);
     double share = 0;
     const double shown = temperature_shown(image, panels[i], row, share);
-    EXPECT_NEAR(shown, mean_tb_after_run(job.params, job.ta[i]), 0.03);
+    // A median over what is seen against a mean over pups, whose T_b spread by some 0.06.
+    EXPECT_NEAR(shown, mean_tb_after_run(job.params, job.ta[i]), 0.05);
     // Twelve discs of radius 0.3 in a square of 4.12, less what overlaps.
     EXPECT_GT(share, 0.08);
     EXPECT_LT(share, 0.21);

@@ -1,0 +1,23 @@
+// What a user can change about how a run is computed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/params.h"
+
+namespace pupflow::report {
+
+/// One setting to run: parameters, with the steps and the discard that its means are over.
+struct Change {
+  std::string group;  // what is changed, e.g. "time step"; empty for the base
+  std::string label;  // to what, e.g. "dt = 0.005, naive"
+  Params params;      // may be unsound: then the change is not possible here
+};
+
+/// `base` first, then: twice and half its time step, consistent refinement, fewer and more points a
+/// pup, the other precision, integrator and heat rule, runs of half to `longest` (2 or more) times
+/// as many steps, and other windows for the means.
+std::vector<Change> changes_of(const Params& base, int longest);
+
+}  // namespace pupflow::report

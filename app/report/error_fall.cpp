@@ -51,7 +51,7 @@ Scene fall_scene(bool quick) {
   const Params p = pup();
   const int finest = quick ? 8 : 32;
   scene.curves = usual_curves(p, finest);
-  scene.curves.push_back(points_curve(p, quick));
+  scene.asides.push_back(points_aside(p, quick, {1, 2}));
   scene.standard = {"dt = 0.01, predictive, double", p, 0};
   set_reference(scene, p, 128 * finest);
   scene.run = [](const Setting& s) { return run(s, 20); };

@@ -50,9 +50,7 @@ Scene press_scene(bool quick) {
       "and the temperature that it has lost. The pups' path converges, but only at about first "
       "order and from a large error: which points touch changes from step to step, and each step "
       "sets the velocities of those that do. With naive refinement the displacement by contacts, "
-      "too, is done once a step, and pups get harder as steps get shorter. The number of points "
-      "matters as much as the step: displacements of touching points add up, so more points are a "
-      "harder pup.";
+      "too, is done once a step, and pups get harder as steps get shorter.";
   scene.smallest_drawn = 1e-3;
   scene.quantities = {
       {"distance", "distance"}, {"contact", "contact area"}, {"heat", "heat exchanged"}};
@@ -62,8 +60,8 @@ Scene press_scene(bool quick) {
   const int finest = quick ? 4 : 16;
   scene.curves = usual_curves(p, finest);
   scene.curves.insert(scene.curves.end() - 1,
-                      {"consistent with Euler heat", halved(euler, finest), false, {}});
-  scene.curves.push_back(points_curve(p, quick));
+                      {"consistent with Euler heat", halved(euler, finest), false});
+  scene.asides.push_back(points_aside(p, quick, {0, 1, 2}));
   scene.standard = {"dt = 0.01, predictive, double", p, 0};
   set_reference(scene, p, 256 * finest);
   scene.run = run;

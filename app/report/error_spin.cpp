@@ -83,17 +83,14 @@ Scene spin_scene(bool quick) {
       "A weightless pup turns at 1 rad/s about an oblique axis for one second. Its angular "
       "momentum should stay what it was. Its orientation is held against a fine run of the same "
       "soft body, and against the rotation of a rigid one: a soft body widens a little as it turns "
-      "and falls behind, and where the third error stops falling, that is why. The rotation "
-      "routines are stepped at dt = 0.01 and held against the run with singular values at the same "
-      "step: what they show is the error of the routine alone, and their times leave out "
-      "boundaries and checks.";
+      "and falls behind, and where the third error stops falling, that is why.";
   scene.quantities = {{"momentum", "angular momentum"},
                       {"orientation", "orientation"},
                       {"rigid", "orientation against a rigid body's"}};
   const Params p = pup();
   const int finest = quick ? 8 : 32;
   scene.curves = usual_curves(p, finest);
-  scene.curves.push_back(rotation_curve(p));
+  scene.asides.push_back(rotation_aside(p, {0, 1}));
   scene.standard = {"dt = 0.01, Newton, double", p, 0};
   set_reference(scene, p, 128 * finest);
   scene.run = run;

@@ -99,14 +99,17 @@ Scene squeeze_scene(bool quick) {
       "does not: with every halving of the step the body gets stiffer, and it ends at another "
       "motion. The explicit integrator has another limit as well, an oscillator without damping. "
       "Deformations are 10⁻⁴ of the radius, so the closed form is off by about as much, and floats "
-      "resolve only three digits of them.";
+      "resolve only three digits of them. Since the "
+      "answer decays to nothing, errors are divided by the amplitude at first, not by what is left "
+      "of it.";
   scene.smallest_drawn = 1e-3;
-  scene.quantities = {
-      {"bend", "bend (fitted)"}, {"growth", "growth (volume)"}, {"ripple", "ripple (not fitted)"}};
+  scene.quantities = {{"bend", "bend (fitted)", 1},
+                      {"growth", "growth (volume)", 1},
+                      {"ripple", "ripple (not fitted)", 1}};
   const Params p = pup();
   const int finest = quick ? 16 : 128;
   scene.curves = usual_curves(p, finest);
-  scene.curves.push_back(rotation_curve(p));
+  scene.asides.push_back(rotation_aside(p, {0, 1, 2}));
   scene.standard = {"dt = 0.01, Newton, double", p, 0};
   set_reference(scene, p, 1);
   scene.reference.label = "the closed form of the linear response";

@@ -56,7 +56,7 @@ Scene steering_scene(bool quick) {
   const Params p = passing();
   const int finest = quick ? 4 : 16;
   scene.curves = usual_curves(p, finest);
-  scene.curves.push_back(points_curve(p, quick));
+  scene.asides.push_back(points_aside(p, quick, {0, 1}));
   scene.standard = {"dt = 0.01, predictive, double", p, 0};
   set_reference(scene, p, 256 * finest);
   scene.run = run;

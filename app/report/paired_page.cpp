@@ -154,9 +154,10 @@ void add_plot(Report& report, const std::string& name, const std::string& captio
   }
   const int width = std::max(760, 380 * static_cast<int>(drawn.size()) + 60);
   std::string body =
-      "  set logscale xy\n  set xlabel 'CPU seconds'\n  set grid lt 1 lc rgb '#dddddd'\n  set "
+      "  set logscale xy\n  set xlabel 'CPU seconds'\n  set format y '%g'\n  set grid lt 1 lc rgb "
+      "'#dddddd'\n  set "
       "multiplot layout 1," +
-      std::to_string(drawn.size()) + " margins " + rounded(75.0 / width) +
+      std::to_string(drawn.size()) + " margins " + rounded(95.0 / width) +
       ",0.985,0.38,0.93 spacing " + rounded(75.0 / width) + ",0\n";
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     body += "  set title '" + drawn[i] + "' noenhanced\n";

@@ -44,7 +44,7 @@ double thread_seconds();
 using Look = std::function<void(const Simulation&, Trajectory&)>;
 
 /// Steps `simulation` through `samples` times kSample and looks after each. `between` steps, when
-/// given, edits the simulation (its time counts, too). Throws io::Failure(interrupted).
+/// given, edits the simulation; only the steps' time counts. Throws io::Failure(interrupted).
 Outcome run_sampled(Simulation& simulation, int samples, std::size_t quantities, const Look& look,
                     const std::function<void(Simulation&)>& between = {});
 
@@ -64,7 +64,7 @@ std::vector<Curve> usual_curves(const Params& params, int finest);
 /// Sets reference and finer of a scene: double, with steps of 0.01 / parts and half of that.
 void set_reference(Scene& scene, const Params& params, int parts);
 
-/// Settings with k points along a face edge, against a pup of many points.
-Curve points_curve(const Params& params, bool quick);
+/// Pups of k points along a face edge, against one of many points at the same step.
+Aside points_aside(const Params& params, bool quick, std::vector<std::size_t> quantities);
 
 }  // namespace pupflow::report

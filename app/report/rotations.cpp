@@ -146,19 +146,22 @@ Outcome run_with_rotation(const Params& params, Routine routine, const Points& p
   return run_body<double>(params, routine, points, velocities, samples, quantities, look);
 }
 
-Curve rotation_curve(const Params& params) {
+Aside rotation_aside(const Params& params, std::vector<std::size_t> quantities) {
   const auto with = [&](Routine routine, const std::string& label) {
     return Setting{label, params, static_cast<int>(routine) + 1};
   };
-  return {"rotation routine",
-          {with(Routine::engine, "Newton (default)"), with(Routine::svd, "singular values"),
-           with(Routine::closed_form, "closed form"), with(Routine::horn, "Horn's quaternion"),
+  return {"rotations",
+          "Rotation routines",
+          "dt = 0.01, with another routine for the rotation, held against singular values at the "
+          "same step: what is seen is the error of the routine alone. Times leave out boundaries "
+          "and checks.",
+          with(Routine::svd, "singular values"),
+          {with(Routine::engine, "Newton (default)"), with(Routine::closed_form, "closed form"),
+           with(Routine::horn, "Horn's quaternion"),
            with(Routine::mueller_1, "Müller 2016, 1 iteration"),
            with(Routine::mueller_3, "Müller 2016, 3 iterations"),
            with(Routine::mueller_5, "Müller 2016, 5 iterations")},
-          false,
-          {with(Routine::svd, "singular values")},
-          false};
+          std::move(quantities)};
 }
 
 }  // namespace pupflow::report

@@ -43,6 +43,6 @@ Outcome run_with_rotation(const Params& params, Routine routine, const Points& p
                           const LookAtPoints& look);
 
 /// All routines at the default step, against the singular values' at the same step.
-Curve rotation_curve(const Params& params);
+Aside rotation_aside(const Params& params, std::vector<std::size_t> quantities);
 
 }  // namespace pupflow::report

@@ -52,12 +52,15 @@ void take_turn(const Scene& scene, Trial& trial) {
   }
 }
 
-/// The default, then all settings of all curves, in order. They take turns, so that a busy moment
-/// of the machine does not fall on one of them alone.
+/// The default, then all settings of all curves and asides, in order. They take turns, so that a
+/// busy moment of the machine does not fall on one of them alone.
 std::vector<Trial> run_all(const Scene& scene, const Options& options) {
   std::vector<Trial> trials{{&scene.standard, {}, 0}};
   for (const Curve& curve : scene.curves) {
     for (const Setting& setting : curve.settings) trials.push_back({&setting, {}, 0});
+  }
+  for (const Aside& aside : scene.asides) {
+    for (const Setting& setting : aside.settings) trials.push_back({&setting, {}, 0});
   }
   const int repeats = options.quick ? 3 : 7;
   io::Progress progress(scene.name, static_cast<std::int64_t>(trials.size()) * repeats,
@@ -72,19 +75,20 @@ std::vector<Trial> run_all(const Scene& scene, const Options& options) {
   return trials;
 }
 
-Measured judged(const Trial& trial, const Trajectory& right) {
+Measured judged(const Scene& scene, const Trial& trial, const Trajectory& right) {
   Measured measured{*trial.setting, trial.best.seconds, trial.best.status, {}, {}};
   measured.orders.assign(right.size(), kNone);
   measured.errors = measured.orders;
-  if (measured.status.ok()) measured.errors = errors_of(trial.best.samples, right);
+  if (measured.status.ok())
+    measured.errors = errors_of(trial.best.samples, right, scene.quantities);
   return measured;
 }
 
 /// Takes note of how much the errors change from one reference to the other.
-void compare_references(const Answer& answer, const Trajectory& samples,
+void compare_references(const Scene& scene, const Answer& answer, const Trajectory& samples,
                         std::vector<double>& change) {
-  const std::vector<double> one = errors_of(samples, answer.at_reference);
-  const std::vector<double> other = errors_of(samples, answer.at_finer);
+  const std::vector<double> one = errors_of(samples, answer.at_reference, scene.quantities);
+  const std::vector<double> other = errors_of(samples, answer.at_finer, scene.quantities);
   for (std::size_t q = 0; q < change.size(); ++q) {
     if (other[q] > 0) change[q] = std::max(change[q], std::abs(one[q] / other[q] - 1));
   }
@@ -98,13 +102,14 @@ void add_orders(const Measured& before, Measured& now) {
 
 }  // namespace
 
-std::vector<double> errors_of(const Trajectory& samples, const Trajectory& right) {
+std::vector<double> errors_of(const Trajectory& samples, const Trajectory& right,
+                              const std::vector<Quantity>& quantities) {
   std::vector<double> errors;
   for (std::size_t q = 0; q < right.size(); ++q) {
     double difference = 0, size = 0;
     for (std::size_t i = 0; i < right[q].size(); ++i) {
       difference += std::pow(samples[q][i] - right[q][i], 2);
-      size += std::pow(right[q][i], 2);
+      size += std::pow(quantities[q].size == 0 ? right[q][i] : quantities[q].size, 2);
     }
     errors.push_back(std::sqrt(difference / size));
   }
@@ -116,20 +121,26 @@ SceneResult measure(const Scene& scene, const Options& options) {
   const std::vector<Trial> trials = run_all(scene, options);
   SceneResult result;
   result.reference_change.assign(scene.quantities.size(), 0);
+  result.reference_difference = errors_of(answer.at_reference, answer.at_finer, scene.quantities);
   auto trial = trials.begin();
-  result.standard = judged(*trial, answer.at_finer);
-  compare_references(answer, trial->best.samples, result.reference_change);
+  result.standard = judged(scene, *trial, answer.at_finer);
+  compare_references(scene, answer, trial->best.samples, result.reference_change);
   for (const Curve& curve : scene.curves) {
-    MeasuredCurve measured{curve.name, curve.refines, curve.ordered, {}};
-    const Trajectory right =
-        curve.reference.empty() ? answer.at_finer : finished(scene, curve.reference.front());
+    MeasuredCurve measured{curve.name, curve.refines, {}};
     for (std::size_t i = 0; i < curve.settings.size(); ++i) {
-      measured.points.push_back(judged(*++trial, right));
+      measured.points.push_back(judged(scene, *++trial, answer.at_finer));
       if (!curve.refines || !measured.points.back().status.ok()) continue;
-      compare_references(answer, trial->best.samples, result.reference_change);
+      compare_references(scene, answer, trial->best.samples, result.reference_change);
       if (i > 0) add_orders(measured.points[i - 1], measured.points[i]);
     }
     result.curves.push_back(std::move(measured));
+  }
+  for (const Aside& aside : scene.asides) {
+    const Trajectory right = finished(scene, aside.reference);
+    result.asides.emplace_back();
+    for (std::size_t i = 0; i < aside.settings.size(); ++i) {
+      result.asides.back().push_back(judged(scene, *++trial, right));
+    }
   }
   return result;
 }

@@ -32,14 +32,24 @@ struct Setting {
 struct Curve {
   std::string name;  // without commas
   std::vector<Setting> settings;
-  bool refines = false;            // each setting halves the step of the one before it
-  std::vector<Setting> reference;  // empty: the scene's; else one setting to measure against
-  bool ordered = true;             // from cheap to dear, so that a line joins them
+  bool refines = false;  // each setting halves the step of the one before it
+};
+
+/// Settings with a right answer of their own, for a plot and a table of their own.
+struct Aside {
+  std::string name;   // of its files, after that of the scene
+  std::string title;  // its heading
+  std::string about;  // what is varied and what the right answer is
+  Setting reference;  // what to measure against
+  std::vector<Setting> settings;
+  std::vector<std::size_t> quantities;  // which of the scene's: those that the settings change
 };
 
 struct Quantity {
   std::string name;  // a word, for columns
   std::string title;
+  double size = 0;    // what errors are divided by; 0: the root mean square of the right answer
+  bool drawn = true;  // has a panel in the plot
 };
 
 struct Scene {
@@ -48,10 +58,12 @@ struct Scene {
   std::string about;  // what happens and what the right answer is: a paragraph or two
   std::vector<Quantity> quantities;
   std::vector<Curve> curves;
-  double smallest_drawn = 1e-6;  // lower end of the plot's errors
-  Setting standard;              // the default: marked in table and plot
-  Setting reference;             // what the right answer comes from
-  Setting finer;                 // its step halved: shows that the reference has converged
+  std::vector<Aside> asides;
+  double smallest_drawn = 1e-6;    // lower end of the plot's errors
+  Setting standard;                // the default: marked in table and plot
+  bool standard_is_exact = false;  // it computes the right answer itself: neither table nor plot
+  Setting reference;               // what the right answer comes from
+  Setting finer;                   // its step halved: shows that the reference has converged
   std::function<Outcome(const Setting&)> run;
   /// Replaces the reference's values of quantities that have a closed form; may be empty.
   std::function<void(Trajectory&)> closed_form;
@@ -69,24 +81,28 @@ struct Measured {
 
 struct MeasuredCurve {
   std::string name;
-  bool refines = false, ordered = true;
+  bool refines = false;
   std::vector<Measured> points;
 };
 
 struct SceneResult {
   std::vector<MeasuredCurve> curves;
+  std::vector<std::vector<Measured>> asides;  // errors of all quantities against the aside's answer
   Measured standard;
   /// Largest relative change of the errors of the standard and of the refining curves' settings
   /// when the reference's step is halved, for each quantity.
   std::vector<double> reference_change;
+  /// The difference of the two references as an error is measured; 0 for a closed form.
+  std::vector<double> reference_difference;
 };
 
 /// Runs all settings, each a few times, and keeps the shortest time. Throws io::Failure
 /// (interrupted).
 SceneResult measure(const Scene& scene, const Options& options);
 
-/// Root mean square of `samples - right` over that of `right`, for each quantity.
-std::vector<double> errors_of(const Trajectory& samples, const Trajectory& right);
+/// Root mean square of `samples - right` over the quantity's size, for each of `quantities`.
+std::vector<double> errors_of(const Trajectory& samples, const Trajectory& right,
+                              const std::vector<Quantity>& quantities);
 
 /// Puts the scene on the page: words, table, CSV and plot.
 void show(Report& report, const Scene& scene, const SceneResult& result);

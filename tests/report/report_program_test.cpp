@@ -52,7 +52,7 @@ TEST(ReportProgram, WritesAPageWithItsFiguresAndNumbers) {
     EXPECT_THAT(page, HasSubstr(heading));
   }
   const std::vector<std::string> pictures = pictures_of(page);
-  EXPECT_EQ(pictures.size(), 8u);
+  EXPECT_EQ(pictures.size(), 14u);
   for (const std::string& picture : pictures) {
     const io::Image image = io::read_png(scratch.path("r/" + picture));
     EXPECT_GT(image.width, 500);
@@ -81,7 +81,8 @@ TEST(ReportProgram, SaysWhichReportsThereAre) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("did you mean 'error'?"));
   EXPECT_EQ(pupflow(scratch, {"report", "error", "--threads", "0"}).code, 2);
-  EXPECT_EQ(pupflow(scratch, {"report", "error", "--set", "ta=1"}).code, 2);
+  EXPECT_EQ(pupflow(scratch, {"report", "error", "--observable", "flow"}).code, 2);
+  EXPECT_EQ(pupflow(scratch, {"report", "stability", "cold"}).code, 2);
 }
 
 TEST(ReportProgram, KeepsFinishedScenesWhenInterrupted) {

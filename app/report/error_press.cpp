@@ -55,12 +55,8 @@ Scene press_scene(bool quick) {
   scene.quantities = {
       {"distance", "distance"}, {"contact", "contact area"}, {"heat", "heat exchanged"}};
   const Params p = pair();
-  Params euler = p;
-  euler.heat = HeatRule::euler;
   const int finest = quick ? 4 : 16;
   scene.curves = usual_curves(p, finest);
-  scene.curves.insert(scene.curves.end() - 1,
-                      {"consistent with Euler heat", halved(euler, finest), false});
   scene.asides.push_back(points_aside(p, quick, {0, 1, 2}));
   scene.standard = {"dt = 0.01, predictive, double", p, 0};
   set_reference(scene, p, 256 * finest);

@@ -1,6 +1,7 @@
 // How a measured scene looks on the page.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -99,8 +100,18 @@ std::string guide_text(const SceneResult& result, std::size_t q) {
   return "";
 }
 
-constexpr const char* kBoundKey =
-    ", \\\n       NaN with points pt 11 lc '#444444' title 'below the edge'";
+/// The key's entry for what is below the lower edge, where there is any.
+std::string bound_key(const Scene& scene, const std::vector<Measured>& points,
+                      const std::vector<std::size_t>& quantities) {
+  for (const Measured& point : points) {
+    for (const std::size_t q : quantities) {
+      if (point.errors[q] < scene.smallest_drawn) {
+        return ", \\\n       NaN with points pt 11 lc '#444444' title 'below the edge'";
+      }
+    }
+  }
+  return "";
+}
 
 std::string panels_head(const Scene& scene, std::size_t panels, int width) {
   std::ostringstream s;
@@ -137,6 +148,11 @@ std::string plot_of(const Scene& scene, const SceneResult& result, int width) {
   const std::string file = scene.name + ".csv";
   const auto method = [](const std::string& name) { return "strcol('method') eq '" + name + "'"; };
   const std::vector<std::size_t> drawn = drawn_quantities(scene);
+  std::vector<Measured> all;
+  for (const MeasuredCurve& curve : result.curves) {
+    all.insert(all.end(), curve.points.begin(), curve.points.end());
+  }
+  const std::string bound = bound_key(scene, all, drawn);
   std::string text = panels_head(scene, drawn.size(), width);
   for (const std::size_t q : drawn) {
     const Quantity& quantity = scene.quantities[q];
@@ -151,7 +167,7 @@ std::string plot_of(const Scene& scene, const SceneResult& result, int width) {
       text += ", \\\n       " + points_text(scene, file, method("default"), quantity,
                                             "points pt 6 ps 2.2 lw 2", "#000000", "default");
     }
-    text += guide_text(result, q) + kBoundKey + "\n";
+    text += guide_text(result, q) + bound + "\n";
   }
   return text + "  unset multiplot\n";
 }
@@ -180,14 +196,15 @@ double largest_error(const Aside& aside, const std::vector<Measured>& points) {
   double largest = 0;
   for (const Measured& point : points) {
     for (const std::size_t q : aside.quantities) {
-      // A run that was lost, or is beyond numbers, is far off.
-      largest = point.errors[q] < largest ? largest : point.errors[q];
+      if (!std::isfinite(point.errors[q])) return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, point.errors[q]);
     }
   }
   return largest;
 }
 
-std::string aside_plot(const Scene& scene, const Aside& aside, const std::string& file, int width) {
+std::string aside_plot(const Scene& scene, const Aside& aside, const std::vector<Measured>& points,
+                       const std::string& file, int width) {
   std::string text = panels_head(scene, aside.quantities.size(), width);
   for (const std::size_t q : aside.quantities) {
     text += panel_head(scene.quantities[q], q == aside.quantities.front(), 4);
@@ -196,11 +213,11 @@ std::string aside_plot(const Scene& scene, const Aside& aside, const std::string
       for (std::size_t at = 0; (at = title.find('\'', at)) != std::string::npos; at += 2) {
         title.insert(at, "'");
       }
-      text += points_text(scene, file, "$0 == " + std::to_string(i), scene.quantities[q],
-                          "points pt 7 ps 1.2", kColors[i % std::size(kColors)], title) +
-              ", \\\n       ";
+      text += (i == 0 ? "" : ", \\\n       ") +
+              points_text(scene, file, "$0 == " + std::to_string(i), scene.quantities[q],
+                          "points pt 7 ps 1.2", kColors[i % std::size(kColors)], title);
     }
-    text += "NaN with points pt 11 lc '#444444' title 'below the edge'\n";
+    text += bound_key(scene, points, aside.quantities) + "\n";
   }
   return text + "  unset multiplot\n";
 }
@@ -228,7 +245,8 @@ void show_aside(Report& report, const Scene& scene, const Aside& aside,
                 scene.title + ", " + aside.title +
                     ": error against run time, both logarithmic; a triangle on the lower edge is "
                     "an error below it",
-                aside_plot(scene, aside, name + ".csv", width), aside.reference.params, width, 540);
+                aside_plot(scene, aside, points, name + ".csv", width), aside.reference.params,
+                width, 540);
   report.table(table.rows());
 }
 

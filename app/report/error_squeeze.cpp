@@ -102,7 +102,7 @@ Scene squeeze_scene(bool quick) {
       "resolve only three digits of them. Since the "
       "answer decays to nothing, errors are divided by the amplitude at first, not by what is left "
       "of it.";
-  scene.smallest_drawn = 1e-3;
+  scene.smallest_drawn = 1e-4;
   scene.quantities = {{"bend", "bend (fitted)", 1},
                       {"growth", "growth (volume)", 1},
                       {"ripple", "ripple (not fitted)", 1}};

@@ -75,13 +75,17 @@ void add_table(Report& report, const Paired& paired) {
     rows[0].push_back("change of " + o);
   }
   const double base_seconds = paired.rows.front().seconds;
-  const auto time_words = [&](double seconds) {
+  const auto seconds_words = [&](double seconds) {
     return rounded(seconds) + " (" + rounded(seconds / base_seconds, 2) + ")";
+  };
+  const auto time_words = [&](const Compared& row) -> std::string {
+    if (!row.refused.empty()) return check(row.change.params).empty() ? "no means" : "refused";
+    const std::string bad = row.bad == 0 ? "" : ", " + std::to_string(row.bad) + " bad";
+    return seconds_words(row.seconds) + bad;
   };
   for (const Compared& row : paired.rows) {
     const bool is_base = row.change.group.empty();
-    io::Row cells{is_base ? "**base**" : row.change.group, row.change.label,
-                  row.refused.empty() ? time_words(row.seconds) : "-"};
+    io::Row cells{is_base ? "**base**" : row.change.group, row.change.label, time_words(row)};
     for (std::size_t i = 0; i < paired.observables.size(); ++i) {
       const Estimate& change = row.differences[i];
       const std::string words = words_of(change, true);
@@ -91,7 +95,7 @@ void add_table(Report& report, const Paired& paired) {
     rows.push_back(std::move(cells));
   }
   for (const SeedRow& row : seed_rows(paired, {0.5, 2})) {
-    io::Row cells{"seeds", std::to_string(row.seeds) + " (foretold)", time_words(row.seconds)};
+    io::Row cells{"seeds", std::to_string(row.seeds) + " (foretold)", seconds_words(row.seconds)};
     for (const double interval : row.intervals) {
       cells.push_back("± " + rounded(interval, 2));
       cells.emplace_back("");

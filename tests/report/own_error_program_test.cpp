@@ -54,6 +54,19 @@ TEST(OwnErrorProgram, SaysInWordsHowExactARunIs) {
               AllOf(Contains(Pair("pups", "4")), Contains(Pair("ta", "0.2"))));
 }
 
+TEST(OwnErrorProgram, RowsSayWhatIsRefusedAndWhatWentBad) {
+  const Scratch scratch;
+  const Outcome outcome = report_error(
+      scratch, {"--seeds", "2", "--set", "alpha=1", "--set", "k1=300", "--set", "discard=60"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string page = contents(scratch.path("r/report.md"));
+  EXPECT_THAT(
+      page,
+      AllOf(HasSubstr("| dt = 0.005, consistent | refused |"), HasSubstr("alpha must be below 1"),
+            HasSubstr("| 40 steps | no means |"), ContainsRegex("\\| euler \\| [^|]*, 2 bad \\|"),
+            HasSubstr("*heat, euler*: 2 of 2 runs went bad, the first with diverged")));
+}
+
 TEST(OwnErrorProgram, IsAboutTheObservablesAskedFor) {
   const Scratch scratch;
   const Outcome outcome = report_error(scratch, {"--quick", "--observable", "flow"});

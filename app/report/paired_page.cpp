@@ -162,7 +162,7 @@ void add_plot(Report& report, const std::string& name, const std::string& captio
       "'#dddddd'\n  set "
       "multiplot layout 1," +
       std::to_string(drawn.size()) + " margins " + rounded(95.0 / width) +
-      ",0.985,0.38,0.93 spacing " + rounded(75.0 / width) + ",0\n";
+      ",0.965,0.38,0.93 spacing " + rounded(75.0 / width) + ",0\n";
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     body += "  set title '" + drawn[i] + "' noenhanced\n";
     body += i == 0

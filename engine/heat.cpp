@@ -14,13 +14,33 @@ template <class Real>
 double mean_touched_temperature(const State<Real>& state, int pup) {
   const int* touched = state.touched.data() + state.flat(pup);
   const std::uint64_t* touching = state.touching_points.data() + state.set(pup);
-  double sum = 0;
-  int count = 0;
-  for_each_point(touching, words_for(state.points), [&](int i) {
-    sum += state.tb[touched[i]];
-    ++count;
-  });
-  return count > 0 ? sum / count : 0;
+  const auto mean = [&](double unit) {
+    double sum = 0;
+    int count = 0;
+    for_each_point(touching, words_for(state.points), [&](int i) {
+      sum += unit * state.tb[touched[i]];
+      ++count;
+    });
+    return count > 0 ? sum / count / unit : 0;
+  };
+  const double plain = mean(1);
+  return std::isfinite(plain) ? plain : mean(kSumUnit);
+}
+
+/// T_b after one step as a mean of T_b, T_a and T_c plus what G adds: for where the rate overflows,
+/// or T_b is forgotten within the step and its digits would hide the equilibrium.
+double mean_after_step(const Params& params, double tb, double to_air, double to_others,
+                       double contact_mean) {
+  const double conductance = to_air + to_others, decay = conductance * params.dt;
+  const bool exact = params.heat == HeatRule::exact;
+  const double gone = exact ? -expm1_fixed(-decay) : decay;  // share of T_b that is replaced
+  const double kept = exact ? exp_fixed(-decay) : 1 - decay;
+  // The time over which G adds up.
+  const double duration = exact && decay > 0 ? gone / conductance : params.dt;
+  double sum = duration * (kSumUnit * params.g) + kept * (kSumUnit * tb);
+  if (to_air > 0) sum += to_air / conductance * gone * (kSumUnit * params.ta);
+  if (to_others > 0) sum += to_others / conductance * gone * (kSumUnit * contact_mean);
+  return sum / kSumUnit;
 }
 
 /// Whether forward Euler has left its region, k h > 2, where each step overshoots equilibrium by
@@ -43,10 +63,12 @@ double heat_step(const Params& params, double tb, double exposed, double contact
   const double loss_to_air = to_air > 0 ? to_air * (tb - params.ta) : 0;
   const double loss_to_others = to_others > 0 ? to_others * (tb - contact_mean) : 0;
   const double rate = params.g - loss_to_air - loss_to_others;
-  if (params.heat == HeatRule::euler) return tb + params.dt * rate;
+  const bool exact = params.heat == HeatRule::exact;
   const double decay = (to_air + to_others) * params.dt;
-  const double weight = decay > 0 ? -expm1_fixed(-decay) / decay : 1;
-  return tb + params.dt * weight * rate;
+  const double weight = exact && decay > 0 ? -expm1_fixed(-decay) / decay : 1;
+  const double next = tb + params.dt * weight * rate;
+  if (std::isfinite(next) && !(exact && decay > 1)) return next;
+  return mean_after_step(params, tb, to_air, to_others, contact_mean);
 }
 
 template <class Real>

@@ -13,7 +13,8 @@
 namespace pupflow {
 
 /// T_b after one step of `params.dt`, by `params.heat`. `exposed` is A; `contact_mean` the mean T_c
-/// of the touching afferents, which only counts where exposed < 1.
+/// of the touching afferents, which only counts where exposed < 1 and k2 > 0. Rates may overflow:
+/// the result is finite wherever the exact value of the step is.
 double heat_step(const Params& params, double tb, double exposed, double contact_mean);
 
 /// T_b of one pup after this step. It is not yet set: all pups change at once.

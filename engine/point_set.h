@@ -17,6 +17,9 @@ constexpr int words_for(int points) {
 /// Words enough for the largest cloud.
 constexpr int kMaxPointWords = words_for(6 * kMaxFacePoints * kMaxFacePoints);
 
+/// In this unit no sum over the points of the largest cloud overflows, whatever its terms.
+constexpr double kSumUnit = 0x1p-16;
+
 /// Calls `visit(i)` for each set bit i of `words`, in ascending order.
 template <class Visit>
 void for_each_point(const std::uint64_t* words, int count, Visit visit) {

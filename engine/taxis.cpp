@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "engine/elementary.h"
 #include "engine/point_set.h"
@@ -17,12 +16,40 @@ Real mean_of(const Cloud<Real>& cloud, const State<Real>& state, const Real* com
   return state.kernels->dot(cloud.mode_row(kMeanMode), component, cloud.stride);
 }
 
-/// The exponent sigma t (t_p - t_b), finite whatever overflows on the way.
+/// a b c, which overflows or vanishes only where the product itself does.
+double product(double a, double b, double c) {
+  const double first = a * b, plain = first * c;
+  if (std::isnormal(first) && std::isfinite(plain)) return plain;
+  int exponent[3] = {};
+  const double mantissa =
+      std::frexp(a, &exponent[0]) * std::frexp(b, &exponent[1]) * std::frexp(c, &exponent[2]);
+  return std::ldexp(mantissa, exponent[0] + exponent[1] + exponent[2]);
+}
+
+/// The exponent sigma t (t_p - t_b). Infinite where it leaves the range of double, never NaN.
 double excitation(const Params& params, double tb, double t) {
-  constexpr double kLimit = std::numeric_limits<double>::max() / 4;
   const double need = params.tp - tb;
   if (need == 0 || t == 0 || params.sigma == 0) return 0;
-  return std::clamp(params.sigma * t * need, -kLimit, kLimit);
+  if (std::isfinite(need)) return product(params.sigma, t, need);
+  return 2 * product(params.sigma, t, params.tp / 2 - tb / 2);
+}
+
+/// (S_L - S_R)/(S_L + S_R).
+double preference(const Params& params, double tb, double t_left, double t_right) {
+  // From here on an exponent is not known to 1, and one that overflows not at all.
+  constexpr double kCoarse = 0x1p53;
+  const double left = excitation(params, tb, t_left), right = excitation(params, tb, t_right);
+  // Both sides multiplied by the denominators and exp(-top): the largest exponential is then 1, so
+  // nothing overflows and the quotient is never 0/0.
+  const double top = std::max({0.0, -left, -right});
+  if (top > kCoarse) {
+    // The other terms are nothing beside the largest exponential, and the quotient is that of the
+    // difference of the exponents.
+    const double ahead = excitation(params, tb, t_left - t_right), size = std::abs(ahead);
+    return std::copysign(-expm1_fixed(-size) / (1 + exp_fixed(-size)), ahead);
+  }
+  const double el = exp_fixed(-left - top), er = exp_fixed(-right - top);
+  return (er - el) / (2 * exp_fixed(-top) + el + er);
 }
 
 /// Side temperatures about `direction`. With `first_on_axis` the first point is not on the left.
@@ -41,26 +68,26 @@ SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
                       static_cast<Real>(axis.cos), static_cast<Real>(axis.sin), left);
   if (first_on_axis) left[0] &= ~std::uint64_t{1};
   const auto is_left = [&](int i) { return (left[i / 64] >> (i % 64)) & 1; };
-  double sum[2] = {0, 0};  // of T_c - T_a over the touching points: right, left
-  for_each_point(touching, words,
-                 [&](int i) { sum[is_left(i)] += state.tb[touched[i]] - params.ta; });
   int on_left = 0;
   for (int w = 0; w < words; ++w) on_left += std::popcount(left[w]);
   const int on_right = state.points - on_left;
   // Points that touch nobody feel T_a, and so does a side without points.
-  return {params.ta + (on_left > 0 ? sum[1] / on_left : 0),
-          params.ta + (on_right > 0 ? sum[0] / on_right : 0)};
+  const auto means = [&](double unit) -> SideTemperatures {
+    double sum[2] = {0, 0};  // of T_c - T_a over the touching points: right, left
+    for_each_point(touching, words, [&](int i) {
+      sum[is_left(i)] += unit * state.tb[touched[i]] - unit * params.ta;
+    });
+    return {(unit * params.ta + (on_left > 0 ? sum[1] / on_left : 0)) / unit,
+            (unit * params.ta + (on_right > 0 ? sum[0] / on_right : 0)) / unit};
+  };
+  const SideTemperatures plain = means(1);
+  return std::isfinite(plain.left) && std::isfinite(plain.right) ? plain : means(kSumUnit);
 }
 
 }  // namespace
 
 double turn(const Params& params, double tb, double t_left, double t_right) {
-  const double left = excitation(params, tb, t_left), right = excitation(params, tb, t_right);
-  // (S_L - S_R)/(S_L + S_R) with both sides multiplied by the denominators and exp(-top): the
-  // largest exponential is then 1, so nothing overflows and the quotient is never 0/0.
-  const double top = std::max({0.0, -left, -right});
-  const double el = exp_fixed(-left - top), er = exp_fixed(-right - top);
-  return atan_fixed(params.v * ((er - el) / (2 * exp_fixed(-top) + el + er)));
+  return atan_fixed(params.v * preference(params, tb, t_left, t_right));
 }
 
 template <class Real>

@@ -47,6 +47,73 @@ TEST(HeatStep, StiffConductanceGoesStraightToEquilibrium) {
   EXPECT_NEAR(heat_step(p, 100, 1, 0), p.ta + p.g / p.k1, 1e-12);
 }
 
+// Where rates overflow. Right answers by hand: with k dt huge the step ends at equilibrium.
+TEST(HeatStep, OverflowingConductanceGoesToEquilibrium) {
+  Params p;
+  p.ta = 0.25;
+  for (const double k1 : {1e100, 1e160, 1e305, 1.7e308}) {
+    for (const double tb : {-1.7e308, -1e160, 0.6, 1e100, 1e160, 1.7e308}) {
+      p.k1 = k1;
+      EXPECT_EQ(heat_step(p, tb, 1, 0), 0.25) << k1 << ' ' << tb;
+      EXPECT_EQ(heat_step(p, tb, 0.5, 0.75), 0.25) << k1 << ' ' << tb;  // k2 = 1 is nothing here
+    }
+  }
+  p.k1 = p.k2 = 1e160;
+  EXPECT_EQ(heat_step(p, 1e300, 0.5, 0.75), 0.5);     // halfway between 0.25 and 0.75
+  EXPECT_EQ(heat_step(p, 1e300, 0.75, 0.75), 0.375);  // a quarter of the way
+  EXPECT_EQ(heat_step(p, 0.6, 0.5, 1e300), 0.5e300);  // a neighbour as hot as that
+  EXPECT_EQ(heat_step(p, 0.6, 0.5, -1e308), -0.5e308);
+  p.g = 1e160;
+  EXPECT_DOUBLE_EQ(heat_step(p, 1e300, 1, 0), 1.25);  // T_a + G/k1
+  p.dt = 1e200;                                       // k dt overflows, too
+  EXPECT_DOUBLE_EQ(heat_step(p, 1e300, 1, 0), 1.25);
+}
+
+TEST(HeatStep, OverflowingDifferencesOfTemperatureDoNotCount) {
+  Params p;
+  p.k2 = p.g = 0;
+  p.k1 = 1;
+  p.dt = 0.01;
+  p.ta = -1.5e308;
+  // T_a + (T_b - T_a) e^(-0.01), the difference being 3e308.
+  EXPECT_NEAR(heat_step(p, 1.5e308, 1, 0) / 1e308, -1.5 + 3 * std::exp(-0.01), 1e-15);
+  p.heat = HeatRule::euler;
+  EXPECT_NEAR(heat_step(p, 1.5e308, 1, 0) / 1e308, 1.5 - 3 * 0.01, 1e-15);
+  p.k1 = 1e3;  // T_b - T_a = 1e306, times k1 is too much, times dt is 1e307
+  p.ta = 0;
+  EXPECT_NEAR(heat_step(p, 1e306, 1, 0) / 1e306, 1 - 10, 1e-14);
+  p.k1 = 1e160;
+  EXPECT_FALSE(std::isfinite(heat_step(p, 1e160, 1, 0)));  // Euler's step itself leaves the range
+}
+
+TEST(HeatStep, FormsForSmallAndLargeDecayMeet) {
+  Params p;
+  p.k1 = 1;
+  p.g = 0.055;
+  const auto after = [&](double dt) {
+    p.dt = dt;
+    return heat_step(p, 0.9, 0.75, 0.3);
+  };
+  EXPECT_NEAR(after(1), after(std::nextafter(1, 2)), 1e-15);
+}
+
+// The mean over what a pup touches, where the sum overflows.
+TEST(Heat, TouchedTemperaturesMayAddUpToMoreThanADoubleHolds) {
+  State<double> state = make_state<double>(2, 294);
+  state.tb = {0.6, 1.5e308};
+  state.exposed[0] = 0.5;
+  for (int i = 0; i < 147; ++i) {
+    state.touched[i] = 1;
+    state.touching_points[i / 64] |= std::uint64_t{1} << (i % 64);
+  }
+  Params p;
+  p.k1 = 0;
+  p.k2 = 1e160;
+  double next = 0;
+  EXPECT_TRUE(heat(p, state, 0, next).ok());
+  EXPECT_NEAR(next / 1.5e308, 1, 1e-14);  // sums of 147 round
+}
+
 TEST(HeatStep, ExchangeIsAbsentWithoutContact) {
   Params p;
   EXPECT_EQ(heat_step(p, 0.5, 1, 0.0), heat_step(p, 0.5, 1, 1e9));

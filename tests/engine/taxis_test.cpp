@@ -61,6 +61,51 @@ TEST(Turn, IsFiniteWhateverTheSettings) {
   }
 }
 
+// Exponents beyond the range of double, by hand. The pup is hot, T_p - T_b = -1, and sigma = 1e300.
+TEST(Turn, ComparesTheSidesWhereBothExponentsOverflow) {
+  Params p;
+  p.sigma = 1e300;
+  p.v = 3;
+  p.tp = 0;
+  // S_L = e^-5e308, S_R = e^-4e308: the right side is infinitely better.
+  EXPECT_DOUBLE_EQ(turn(p, 1, 5e8, 4e8), -std::atan(3.0));
+  EXPECT_DOUBLE_EQ(turn(p, 1, 4e8, 5e8), std::atan(3.0));
+  EXPECT_EQ(turn(p, 1, 5e8, 5e8), 0);
+  EXPECT_DOUBLE_EQ(turn(p, 1, 1.7e308, 0.1), -std::atan(3.0));
+  EXPECT_DOUBLE_EQ(turn(p, 1, 1.7e308, -1.7e308), -std::atan(3.0));  // S_R = 1
+  EXPECT_DOUBLE_EQ(turn(p, 1.7e308, 0.5, 0.4), -std::atan(3.0));
+  // Cold, both sensors read 1, and the turn is e^-4e308: no double but 0.
+  EXPECT_EQ(turn(p, -1, 5e8, 4e8), 0);
+}
+
+// sigma = 1e16 and T_L - T_R = 2^-52: the exponents differ by d = 2.22, less than they are known
+// to.
+TEST(Turn, SeesADifferenceThatRoundingOfTheExponentsHides) {
+  Params p;
+  p.sigma = 1e16;
+  p.v = 1;
+  p.tp = 0;
+  const double d = 1e16 * 0x1p-52;
+  EXPECT_NEAR(turn(p, 1, 1 + 0x1p-52, 1), -std::atan(std::tanh(d / 2)), 1e-15);
+}
+
+// sigma T is 1e310 or 1e-330, but times T_p - T_b the exponents are 2 and 1.
+TEST(Turn, ExponentsMayOverflowOrVanishOnTheWay) {
+  Params p;
+  p.v = 3;
+  p.tp = 0;
+  const double sl = 1 / (1 + std::exp(-2.0)), sr = 1 / (1 + std::exp(-1.0));
+  const double expected = std::atan(3 * (sl - sr) / (sl + sr));
+  p.sigma = -1e300;
+  EXPECT_NEAR(turn(p, 1e-307, 2e7, 1e7), expected, 1e-12);
+  p.sigma = -1e-300;
+  EXPECT_NEAR(turn(p, 1e307, 2e-7, 1e-7), expected, 1e-12);
+  // T_p - T_b = 3.2e308.
+  p.tp = 1.6e308;
+  p.sigma = 1 / 1.6e308;
+  EXPECT_NEAR(turn(p, -1.6e308, 1, 0.5), expected, 1e-12);
+}
+
 /// One pup at rest round (1, 2, 3), of whose points those with x > 1 touch pup 0 (itself: any
 /// index).
 struct SidesFixture : ::testing::Test {
@@ -133,6 +178,22 @@ TEST_F(SidesFixture, AboutItsOwnAxisTheFirstPointIsOnNoSide) {
     EXPECT_EQ(t.left, params.ta);
     EXPECT_GT(t.right, params.ta);
   }
+}
+
+TEST_F(SidesFixture, TemperaturesMayAddUpToMoreThanADoubleHolds) {
+  turn_body(0.4);  // so that no point lies on the dividing line
+  state.tb[0] = 1.5e308;
+  params.ta = -1.5e308;
+  int touching = 0, right = 0;
+  for (int i = 0; i < state.points; ++i) {
+    if (state.x[i] <= 1) continue;
+    ++right;
+    touching += state.touched[i] == 0 ? 1 : 0;
+  }
+  ASSERT_LT(touching, right);
+  // The touching share of the right side's points goes 3e308 up from T_a.
+  const double expected = -1.5 + 3.0 * touching / right;
+  EXPECT_NEAR(side_temperatures(params, cloud, state, 0, kPi / 2).right / 1e308, expected, 1e-12);
 }
 
 TEST_F(SidesFixture, BodyAxisPointsFromTheFirstPointToTheCentre) {

@@ -66,6 +66,10 @@ struct Kernels {
   /// velocity_share d.
   void (*pull)(const Real* modes, int count, int points, int stride, const Real* goal,
                Real position_share, Real velocity_share, Real* x, Real* v);
+  /// With d = sum of goal[m] mode[m] - stiffness (x - x[0]) - drag (v - v[0]): x <- x + d, v <- v +
+  /// rate d.
+  void (*pull_damped)(const Real* modes, int count, int points, int stride, const Real* goal,
+                      Real stiffness, Real drag, Real rate, Real* x, Real* v);
   /// Sum of a[i] b[i].
   Real (*dot)(const Real* a, const Real* b, int stride);
   /// Sets the bits of `words` (as many as `points` points need) where cosine (y - cy) - sine (x -

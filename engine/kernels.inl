@@ -65,8 +65,7 @@ void floor(Real r, int stride, Real* z, Real* vz) {
 
 /// The number of each lane.
 template <class Real>
-alignas(kPackBytes) constexpr Real kRamp[] = {0, 1, 2,  3,  4,  5,  6,  7,
-                                              8, 9, 10, 11, 12, 13, 14, 15};
+alignas(kPackBytes) constexpr Real kRamp[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 /// The lanes of `value` that are among the first `count`, and `other` in the rest.
 template <class Real>
@@ -156,12 +155,13 @@ void fit(const Real* modes, int count, int points, int stride, const Real* const
   fit_parity<false>(even, evens, half, xyz, even_sums);
 }
 
-template <int Count, class Real>
-void pull_some(const Real* modes, int half, int stride, const Real* goal, Real position_share,
-               Real velocity_share, Real* x, Real* v) {
+/// Calls `draw(target, at, lanes)` for the packs of all points, `target` being the sum of goal[m]
+/// mode[m] there. `lanes(value, other)` has the lanes of `value` that are points.
+template <int Count, class Real, class Draw>
+PUPFLOW_INLINE inline void for_goals(const Real* modes, int half, int stride, const Real* goal,
+                                     Draw draw) {
   using P = Pack<Real>;
-  const P xs = P::broadcast(position_share), vs = P::broadcast(velocity_share);
-  const P origin = P::broadcast(x[0]), centre = P::broadcast(goal[kMeanMode]);
+  const P centre = P::broadcast(goal[kMeanMode]);
   for_packs<Real>(half, [&](int i, auto whole) PUPFLOW_INLINE {
     P odd = P::broadcast(goal[1]) * P::load(modes + stride + i), even = centre;
     PUPFLOW_UNROLL for (int m = 2; m <= kLinearModes; ++m) {
@@ -170,27 +170,58 @@ void pull_some(const Real* modes, int half, int stride, const Real* goal, Real p
     PUPFLOW_UNROLL for (int m = 1 + kLinearModes; m < Count; ++m) {
       even += P::broadcast(goal[m]) * P::load(modes + m * stride + i);
     }
-    const auto draw = [&](const P& target, int at, auto all) PUPFLOW_INLINE {
-      const P here = P::load(x + at), d = target - (here - origin);
-      const P moved = here + xs * d;
-      (all ? moved : first_lanes(half - i, moved, here)).store(x + at);
-      const P speed = P::load(v + at), faster = speed + vs * d;  // after the store: v may be x
-      (all ? faster : first_lanes(half - i, faster, speed)).store(v + at);
+    const auto lanes = [&](const P& value, const P& other) PUPFLOW_INLINE {
+      return whole ? value : first_lanes(half - i, value, other);
     };
-    draw(even + odd, i, whole);
-    draw(even - odd, half + i, whole);
+    draw(even + odd, i, lanes);
+    draw(even - odd, half + i, lanes);
   });
+}
+
+template <int Count, class Real>
+void pull_some(const Real* modes, int half, int stride, const Real* goal, Real position_share,
+               Real velocity_share, Real* x, Real* v) {
+  using P = Pack<Real>;
+  const P xs = P::broadcast(position_share), vs = P::broadcast(velocity_share);
+  const P origin = P::broadcast(x[0]);
+  for_goals<Count>(modes, half, stride, goal,
+                   [&](const P& target, int at, auto lanes) PUPFLOW_INLINE {
+                     const P here = P::load(x + at), d = target - (here - origin);
+                     lanes(here + xs * d, here).store(x + at);
+                     const P speed = P::load(v + at);
+                     lanes(speed + vs * d, speed).store(v + at);
+                   });
 }
 
 template <class Real>
 void pull(const Real* modes, int count, int points, int stride, const Real* goal,
           Real position_share, Real velocity_share, Real* x, Real* v) {
-  if (count == 1 + kLinearModes) {
-    pull_some<1 + kLinearModes>(modes, points / 2, stride, goal, position_share, velocity_share, x,
-                                v);
-  } else {
-    pull_some<kModes>(modes, points / 2, stride, goal, position_share, velocity_share, x, v);
-  }
+  const auto some =
+      count == 1 + kLinearModes ? pull_some<1 + kLinearModes, Real> : pull_some<kModes, Real>;
+  some(modes, points / 2, stride, goal, position_share, velocity_share, x, v);
+}
+
+template <int Count, class Real>
+void pull_damped_some(const Real* modes, int half, int stride, const Real* goal, Real stiffness,
+                      Real drag, Real rate, Real* x, Real* v) {
+  using P = Pack<Real>;
+  const P xs = P::broadcast(stiffness), vs = P::broadcast(drag), per_step = P::broadcast(rate);
+  const P origin = P::broadcast(x[0]), frame = P::broadcast(v[0]);
+  for_goals<Count>(modes, half, stride, goal,
+                   [&](const P& target, int at, auto lanes) PUPFLOW_INLINE {
+                     const P here = P::load(x + at), speed = P::load(v + at);
+                     const P d = (target - xs * (here - origin)) - vs * (speed - frame);
+                     lanes(here + d, here).store(x + at);
+                     lanes(speed + per_step * d, speed).store(v + at);
+                   });
+}
+
+template <class Real>
+void pull_damped(const Real* modes, int count, int points, int stride, const Real* goal,
+                 Real stiffness, Real drag, Real rate, Real* x, Real* v) {
+  const auto some = count == 1 + kLinearModes ? pull_damped_some<1 + kLinearModes, Real>
+                                              : pull_damped_some<kModes, Real>;
+  some(modes, points / 2, stride, goal, stiffness, drag, rate, x, v);
 }
 
 template <class Real>
@@ -309,8 +340,8 @@ bool touch_nearest(const Candidates<Real>& a, const Candidates<Real>& b, Real re
                    const CandidateContacts<Real>& contacts_b) {
   using P = Pack<Real>;
   constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
-  const P zero = P::zero(), infinity = P::broadcast(kInfinity),
-          limit = P::broadcast(reach * reach), ramp = P::load(kRamp<Real>);
+  const P zero = P::zero(), infinity = P::broadcast(kInfinity), limit = P::broadcast(reach * reach),
+          ramp = P::load(kRamp<Real>);
   for (Real* const row : {contacts_a.nearest, contacts_a.lower}) fill(kInfinity, a.count, row);
   for (Real* const row : {contacts_b.nearest, contacts_b.lower}) fill(kInfinity, b.count, row);
   const CandidateContacts<Real> of_b = contacts_b;  // pointers that no store in the loop can change
@@ -425,8 +456,9 @@ bool touch_sums(const Candidates<Real>& a, const Candidates<Real>& b, Real reach
 }
 
 template <class Real>
-constexpr Kernels<Real> kTable{bounds<Real>, floor<Real>, predict<Real>, fit<Real>, pull<Real>,
-                               dot<Real>,    left<Real>,  gather<Real>,  box<Real>, touch_nearest<Real>, touch_sums<Real>};
+constexpr Kernels<Real> kTable{
+    bounds<Real>, floor<Real>, predict<Real>, fit<Real>, pull<Real>,          pull_damped<Real>,
+    dot<Real>,    left<Real>,  gather<Real>,  box<Real>, touch_nearest<Real>, touch_sums<Real>};
 
 }  // namespace
 

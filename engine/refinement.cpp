@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "engine/elementary.h"
-#include "engine/shape_match.h"
 
 namespace pupflow {
 namespace {
@@ -38,14 +37,15 @@ struct Motion {
   double growth = 0;
 };
 
-/// Of the shape with mode coefficients `x` that moves with `v`: inertia^-1 times angular momentum,
-/// and sum x v / sum x x. The modes have unit length, so sums over points are sums over columns. A
-/// shape with no extent, or on a line, has no spin that could be told from deformation.
-Motion motion_of(const ModeMatrix& x, const ModeMatrix& v) {
+/// Of the shape with mode coefficients `x` that moves with `v`, the first `modes` of them:
+/// inertia^-1 times angular momentum, and sum x v / sum x x. The modes have unit length, so sums
+/// over points are sums over columns. A shape with no extent, or on a line, has no spin that could
+/// be told from deformation.
+Motion motion_of(const ModeMatrix& x, const ModeMatrix& v, int modes) {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
   double size = 0, work = 0;
-  for (int m = 1; m < kModes; ++m) {
+  for (int m = 1; m < modes; ++m) {
     const Eigen::Vector3d at = x.col(m), speed = v.col(m);
     momentum += cross(at, speed);
     for (int i = 0; i < 3; ++i) {
@@ -85,29 +85,24 @@ StepBody step_body(const Params& params) {
   return body;
 }
 
-template <class Real>
-void damp_deformation(const StepBody& body, bool quadratic, const Cloud<Real>& cloud,
-                      State<Real>& state, int pup) {
-  const ModeMatrix x = fit_modes(cloud, state, pup, quadratic);
-  const ModeMatrix v = fit_velocity_modes(cloud, state, pup, quadratic);
-  const Motion motion = motion_of(x, v);
+ModeMatrix damping_goal(const StepBody& body, const ModeMatrix& x, const ModeMatrix& v) {
+  // By what the scene fits, since other modes would see another spin: not by the plan, which may
+  // have been forced.
+  const int modes = 1 + kLinearModes + (body.beta > 0 ? kQuadraticModes : 0);
+  const Motion motion = motion_of(x, v, modes);
   // All that is no deformation is kept: so the goal is v, less what the fitted modes lose beyond
   // the share 1 - keep_rest of the distance to the goal that all points go.
   const double fitted = (1 - body.keep_fitted) / (1 - body.keep_rest);
-  ModeMatrix goal = v;
-  for (int m = 1; m < kModes; ++m) {
+  ModeMatrix goal = ModeMatrix::Zero();
+  goal.col(kMeanMode) = v.col(kMeanMode);
+  for (int m = 1; m < modes; ++m) {
     const Eigen::Vector3d at = x.col(m), rigid = cross(motion.spin, at);
     for (int i = 0; i < 3; ++i) {
       const double growth = motion.growth * at[i];
-      goal(i, m) -= fitted * (v(i, m) - rigid[i] - growth) + growth;
+      goal(i, m) = v(i, m) - (fitted * (v(i, m) - rigid[i] - growth) + growth);
     }
   }
-  draw_velocity(cloud, quadratic, goal, 1 - body.keep_rest, state, pup);
+  return goal;
 }
-
-template void damp_deformation<float>(const StepBody&, bool, const Cloud<float>&, State<float>&,
-                                      int);
-template void damp_deformation<double>(const StepBody&, bool, const Cloud<double>&, State<double>&,
-                                       int);
 
 }  // namespace pupflow

@@ -15,9 +15,10 @@
 // - alpha / 2.
 #pragma once
 
-#include "engine/cloud.h"
+#include <Eigen/Core>
+
+#include "engine/modes.h"
 #include "engine/params.h"
-#include "engine/state.h"
 
 namespace pupflow {
 
@@ -37,11 +38,15 @@ struct StepBody {
 /// not come with a smaller one.
 StepBody step_body(const Params& params);
 
-/// Multiplies the deformation part of one pup's velocity by the kappas of `body`. The rigid part,
-/// mean velocity and spin of the fitted shape, stays: momentum and angular momentum of that shape
-/// are kept to rounding. `quadratic` as in match_shape.
-template <class Real>
-void damp_deformation(const StepBody& body, bool quadratic, const Cloud<Real>& cloud,
-                      State<Real>& state, int pup);
+/// Coefficients on the modes of cloud.h, one column each. Column 0 is the mean, relative to the
+/// pup's first point: small numbers keep their digits wherever in the arena the pup is.
+using ModeMatrix = Eigen::Matrix<double, 3, kModes>;
+
+/// The velocity w that a fitted velocity `v` of the shape `x` is damped towards: v <- v + (1 -
+/// keep_rest)(w - v) multiplies the deformation part of a velocity by the kappas of `body`, also
+/// the part that the fit cannot represent. The rigid part, mean velocity and spin of the fitted
+/// shape, stays: momentum and angular momentum of that shape are kept to rounding. Modes that the
+/// body does not fit are 0 in w.
+ModeMatrix damping_goal(const StepBody& body, const ModeMatrix& x, const ModeMatrix& v);
 
 }  // namespace pupflow

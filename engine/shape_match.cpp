@@ -113,37 +113,52 @@ void predict(const Params& params, State<Real>& state, int pup) {
 }
 
 template <class Real>
-void draw_to_goals(const Params& params, const StepBody& body, bool quadratic,
-                   const Cloud<Real>& cloud, const ModeMatrix& goal, State<Real>& state, int pup) {
-  const bool moves = params.integrator == Integrator::predictive;
-  const Real position_share = moves ? static_cast<Real>(body.alpha) : Real(0);
-  const Real velocity_share = static_cast<Real>(body.alpha / params.dt);
-  for (int axis = 0; axis < 3; ++axis) {
-    const ModeRow<Real> row(goal, axis);
-    state.kernels->pull(cloud.mode.data(), mode_count(quadratic), cloud.points, cloud.stride,
-                        row.value, position_share, velocity_share, position_row(state, axis, pup),
-                        velocity_row(state, axis, pup));
-  }
+BodyFit fit_body(const Params& params, const StepBody& body, bool quadratic,
+                 const Cloud<Real>& cloud, const State<Real>& state, int pup) {
+  BodyFit fit;
+  fit.shape = fit_modes(cloud, state, pup, quadratic);
+  if (!body.damps()) return fit;
+  const ModeMatrix speed = fit_velocity_modes(cloud, state, pup, quadratic);
+  fit.velocity = damping_goal(body, fit.shape - params.dt * speed, speed);
+  fit.shape += (params.dt * (1 - body.keep_rest)) * (fit.velocity - speed);
+  return fit;
 }
 
 template <class Real>
-void draw_velocity(const Cloud<Real>& cloud, bool quadratic, const ModeMatrix& goal, double share,
+void draw_to_goals(const Params& params, const StepBody& body, bool quadratic,
+                   const Cloud<Real>& cloud, const BodyFit& fit, const ModeMatrix& goal,
                    State<Real>& state, int pup) {
+  const bool moves = params.integrator == Integrator::predictive;
+  const auto alpha = static_cast<Real>(body.alpha);
+  const auto drag = static_cast<Real>(params.dt * (1 - body.keep_rest) * (1 - body.alpha));
+  // Goals take the factors as the kernel has them: else rounding would damp rigid motion, too.
+  const ModeMatrix sum =
+      body.damps()
+          ? ModeMatrix(static_cast<double>(alpha) * goal + static_cast<double>(drag) * fit.velocity)
+          : goal;
   for (int axis = 0; axis < 3; ++axis) {
-    const ModeRow<Real> row(goal, axis);
-    Real* v = velocity_row(state, axis, pup);
-    state.kernels->pull(cloud.mode.data(), mode_count(quadratic), cloud.points, cloud.stride,
-                        row.value, static_cast<Real>(share), Real(0), v, v);
+    const ModeRow<Real> row(sum, axis);
+    Real* const x = position_row(state, axis, pup);
+    Real* const v = velocity_row(state, axis, pup);
+    const Real* const modes = cloud.mode.data();
+    const int count = mode_count(quadratic);
+    if (body.damps()) {
+      state.kernels->pull_damped(modes, count, cloud.points, cloud.stride, row.value, alpha, drag,
+                                 static_cast<Real>(1 / params.dt), x, v);
+    } else {
+      state.kernels->pull(modes, count, cloud.points, cloud.stride, row.value,
+                          moves ? alpha : Real(0), static_cast<Real>(body.alpha / params.dt), x, v);
+    }
   }
 }
 
 template <class Real>
 RotationKind match_shape(const Params& params, const StepBody& body, bool quadratic,
                          const Cloud<Real>& cloud, State<Real>& state, int pup) {
-  const ModeMatrix fit = fit_modes(cloud, state, pup, quadratic);
-  const Rotation rotation = nearest_rotation(linear_part(fit));
-  const ModeMatrix goal = goal_modes(fit, rotation.matrix, cloud.linear_scale, body.beta);
-  draw_to_goals(params, body, quadratic, cloud, goal, state, pup);
+  const BodyFit fit = fit_body(params, body, quadratic, cloud, state, pup);
+  const Rotation rotation = nearest_rotation(linear_part(fit.shape));
+  const ModeMatrix goal = goal_modes(fit.shape, rotation.matrix, cloud.linear_scale, body.beta);
+  draw_to_goals(params, body, quadratic, cloud, fit, goal, state, pup);
   return rotation.kind;
 }
 
@@ -151,10 +166,10 @@ RotationKind match_shape(const Params& params, const StepBody& body, bool quadra
   template ModeMatrix fit_modes<Real>(const Cloud<Real>&, const State<Real>&, int, bool);          \
   template ModeMatrix fit_velocity_modes<Real>(const Cloud<Real>&, const State<Real>&, int, bool); \
   template void predict<Real>(const Params&, State<Real>&, int);                                   \
+  template BodyFit fit_body<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,        \
+                                  const State<Real>&, int);                                        \
   template void draw_to_goals<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,      \
-                                    const ModeMatrix&, State<Real>&, int);                         \
-  template void draw_velocity<Real>(const Cloud<Real>&, bool, const ModeMatrix&, double,           \
-                                    State<Real>&, int);                                            \
+                                    const BodyFit&, const ModeMatrix&, State<Real>&, int);         \
   template RotationKind match_shape<Real>(const Params&, const StepBody&, bool,                    \
                                           const Cloud<Real>&, State<Real>&, int);
 PUPFLOW_INSTANTIATE(float)

@@ -11,6 +11,16 @@
 // v is the same number as (x(t+h) - x(t))/h but keeps its digits at small h. With integrator =
 // explicit the goals are those of x(t), as the paper writes it: match first, velocities only, then
 // predict.
+//
+// A refined step (refinement.h) damps the deformation part of the velocity before it predicts, v <-
+// v + s (w - v) with s = 1 - keep_rest and w linear in the fits of x(t) and v. Prediction and fit
+// are linear, too: with p and u the points and velocities predicted without damping,
+//
+//   fit(x*) = fit(p) + h s (w - fit(u)),    fit(x(t)) = fit(p) - h fit(u)
+//   d = alpha (g - p) + h s (1 - alpha) (w - u),    x(t+h) = p + d,    v(t+h) = u + d/h
+//
+// relative to the first point. So damping costs one more fit, that of the velocities, and no pass
+// of its own.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,10 +33,6 @@
 #include "engine/state.h"
 
 namespace pupflow {
-
-/// Coefficients on the modes of cloud.h, one column each. Column 0 is the mean, relative to the
-/// pup's first point: small numbers keep their digits wherever in the arena the pup is.
-using ModeMatrix = Eigen::Matrix<double, 3, kModes>;
 
 /// Projection of a pup's points on the mean, the linear and, if `quadratic`, the quadratic modes
 /// (else those columns are 0).
@@ -48,14 +54,20 @@ inline Eigen::Matrix3d linear_part(const ModeMatrix& fit) {
 ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, double linear_scale,
                       double beta);
 
-/// Draws one pup's points by the share body.alpha towards the goals that `goal` describes.
+/// The fits of one pup that goals are made from.
+struct BodyFit {
+  ModeMatrix shape;     // of x*, its velocity damped
+  ModeMatrix velocity;  // that damping draws to, w; not set unless body.damps()
+};
+template <class Real>
+BodyFit fit_body(const Params& params, const StepBody& body, bool quadratic,
+                 const Cloud<Real>& cloud, const State<Real>& state, int pup);
+
+/// Draws one pup's points by the share body.alpha towards the goals that `goal` describes, and
+/// damps its velocity where body.damps().
 template <class Real>
 void draw_to_goals(const Params& params, const StepBody& body, bool quadratic,
-                   const Cloud<Real>& cloud, const ModeMatrix& goal, State<Real>& state, int pup);
-
-/// v <- v + share (goal - v) for one pup, where `goal` describes a velocity for each point.
-template <class Real>
-void draw_velocity(const Cloud<Real>& cloud, bool quadratic, const ModeMatrix& goal, double share,
+                   const Cloud<Real>& cloud, const BodyFit& fit, const ModeMatrix& goal,
                    State<Real>& state, int pup);
 
 /// v <- v + h f, x <- x + h v for one pup.

@@ -60,9 +60,6 @@ struct Step {
       case Stage::heat:
         return heat(params, state, pup, workspace.next_tb[pup]);
       case Stage::predict:
-        // By what the scene needs, since other modes would see another spin: not by the plan, which
-        // may have been forced.
-        if (body.damps()) damp_deformation(body, params.beta > 0, cloud, state, pup);
         predict(params, state, pup);
         break;
       case Stage::shape_match:

@@ -99,12 +99,11 @@ Outcome run_body(const Params& params, Routine routine, const Points& points,
     stop_if_interrupted();
     const double begin = thread_seconds();
     for (int k = 0; k < steps; ++k) {
-      if (body.damps()) damp_deformation(body, quadratic, cloud, state, 0);
       predict(params, state, 0);
-      const ModeMatrix fit = fit_modes(cloud, state, 0, quadratic);
-      const Matrix3d rotation = find(linear_part(fit));
-      draw_to_goals(params, body, quadratic, cloud,
-                    goal_modes(fit, rotation, cloud.linear_scale, body.beta), state, 0);
+      const BodyFit fit = fit_body(params, body, quadratic, cloud, state, 0);
+      const Matrix3d rotation = find(linear_part(fit.shape));
+      draw_to_goals(params, body, quadratic, cloud, fit,
+                    goal_modes(fit.shape, rotation, cloud.linear_scale, body.beta), state, 0);
     }
     spent += thread_seconds() - begin;
     look(unload(points.size(), state.x, state.y, state.z),

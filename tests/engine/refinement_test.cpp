@@ -9,6 +9,7 @@
 #include <complex>
 #include <functional>
 
+#include "engine/shape_match.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {
@@ -149,39 +150,106 @@ TEST(Refinement, AtTheReferenceStepNothingChanges) {
   EXPECT_EQ(body.contact_share, 1);
 }
 
+/// One pup, and a step of its own without contacts, floor or wall.
+struct FreeBody {
+  explicit FreeBody(const Params& p, const std::function<Eigen::Vector3d(std::size_t)>& x,
+                    const std::function<Eigen::Vector3d(std::size_t)>& v)
+      : params(p),
+        cloud(make_cloud<double>(cube_sphere(p.face_points, p.pup_radius))),
+        state(make_state<double>(1, points_per_pup(p))) {
+    for (int i = 0; i < state.points; ++i) {
+      const Eigen::Vector3d at = x(i), speed = v(i);
+      state.x[i] = at.x(), state.y[i] = at.y(), state.z[i] = at.z();
+      state.vx[i] = speed.x(), state.vy[i] = speed.y(), state.vz[i] = speed.z();
+    }
+  }
+  void step(const StepBody& body) {
+    predict(params, state, 0);
+    match_shape(params, body, params.beta > 0, cloud, state, 0);
+  }
+  Eigen::Vector3d position(int i) const { return {state.x[i], state.y[i], state.z[i]}; }
+  Eigen::Vector3d velocity(int i) const { return {state.vx[i], state.vy[i], state.vz[i]}; }
+
+  Params params;
+  Cloud<double> cloud;
+  State<double> state;
+};
+
+/// Spins, bends, grows and ripples on its way through the air.
+FreeBody lively(const Params& p) {
+  const auto rest = cube_sphere(p.face_points, p.pup_radius);
+  return FreeBody(
+      p,
+      [&](std::size_t i) -> Eigen::Vector3d {
+        const Eigen::Vector3d& q = rest[i];
+        return Eigen::Vector3d(3, 2, 1) + q + 0.1 * bend(i, q) + 0.02 * ripple(i, q);
+      },
+      [&](std::size_t i) -> Eigen::Vector3d {
+        const Eigen::Vector3d& q = rest[i];
+        return Eigen::Vector3d(1, -1, 2) + Eigen::Vector3d(1, 2, 3).cross(q) + 2 * bend(i, q) +
+               3 * q + 4 * ripple(i, q);
+      });
+}
+
 TEST(Refinement, KeepsMomentumAndSpinOfADeformedBody) {
   Params p = testing::weightless();
   p.refinement = Refinement::consistent;
   p.dt = 0.001;
   const auto rest = cube_sphere(p.face_points, p.pup_radius);
-  const auto cloud = make_cloud<double>(rest);
-  State<double> state = make_state<double>(1, static_cast<int>(rest.size()));
+  const auto at = [&](std::size_t i) {
+    return Eigen::Vector3d(rest[i] + 0.1 * bend(i, rest[i]) + Eigen::Vector3d(3, 2, 1));
+  };
+  FreeBody pup(p, at, [&](std::size_t i) {
+    const Eigen::Vector3d& q = rest[i];
+    return Eigen::Vector3d(Eigen::Vector3d(1, 2, 3).cross(q) + 2 * bend(i, q) + 3 * q +
+                           Eigen::Vector3d(1, -1, 2));
+  });
   const auto momenta = [&] {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero(), centre = mean, spin = mean;
-    for (int i = 0; i < state.points; ++i) {
-      centre += Eigen::Vector3d(state.x[i], state.y[i], state.z[i]) / state.points;
-      mean += Eigen::Vector3d(state.vx[i], state.vy[i], state.vz[i]) / state.points;
-    }
-    for (int i = 0; i < state.points; ++i) {
-      spin += (Eigen::Vector3d(state.x[i], state.y[i], state.z[i]) - centre)
-                  .cross(Eigen::Vector3d(state.vx[i], state.vy[i], state.vz[i]));
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero(), spin = mean;
+    for (int i = 0; i < pup.state.points; ++i) {
+      mean += pup.velocity(i) / pup.state.points;
+      spin += (at(i) - Eigen::Vector3d(3, 2, 1)).cross(pup.velocity(i));
     }
     return std::pair(mean, spin);
   };
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    const Eigen::Vector3d q = rest[i], x = q + 0.1 * bend(i, q) + Eigen::Vector3d(3, 2, 1);
-    const Eigen::Vector3d v =
-        Eigen::Vector3d(1, 2, 3).cross(q) + 2 * bend(i, q) + 3 * q + Eigen::Vector3d(1, -1, 2);
-    state.x[i] = x.x(), state.y[i] = x.y(), state.z[i] = x.z();
-    state.vx[i] = v.x(), state.vy[i] = v.y(), state.vz[i] = v.z();
-  }
   const auto before = momenta();
-  const double speed = state.vz[0];
-  damp_deformation(step_body(p), true, cloud, state, 0);
-  EXPECT_NE(state.vz[0], speed);
+  const double speed = pup.state.vz[0];
+  StepBody damping = step_body(p);
+  damping.alpha = 0;  // nothing else
+  pup.step(damping);
+  EXPECT_GT(std::abs(pup.state.vz[0] - speed), 1e-3);
   const auto after = momenta();
   EXPECT_LT((after.first - before.first).norm(), 1e-13);
   EXPECT_LT((after.second - before.second).norm(), 1e-12 * before.second.norm());
+}
+
+TEST(Refinement, AStepIsDampingThenPredictionThenMatching) {
+  for (const double beta : {0.0, 0.5, 1.0}) {
+    Params p = testing::weightless();
+    p.refinement = Refinement::consistent;
+    p.dt = 0.002;
+    p.beta = beta;
+    const StepBody body = step_body(p);
+    ASSERT_TRUE(body.damps());
+    FreeBody folded = lively(p), plain = lively(p);
+    folded.step(body);
+    State<double>& s = plain.state;
+    const ModeMatrix w = damping_goal(body, fit_modes(plain.cloud, s, 0, beta > 0),
+                                      fit_velocity_modes(plain.cloud, s, 0, beta > 0));
+    const Eigen::Vector3d first = plain.velocity(0);
+    for (int i = 0; i < s.points; ++i) {
+      Eigen::Vector3d goal = first + w.col(kMeanMode);
+      for (int m = 1; m < kModes; ++m) goal += w.col(m) * plain.cloud.mode_row(m)[i];
+      const Eigen::Vector3d v =
+          plain.velocity(i) + (1 - body.keep_rest) * (goal - plain.velocity(i));
+      s.vx[i] = v.x(), s.vy[i] = v.y(), s.vz[i] = v.z();
+    }
+    plain.step({body.alpha, body.beta});
+    for (int i = 0; i < s.points; ++i) {
+      EXPECT_LT((folded.position(i) - plain.position(i)).norm(), 1e-14) << beta;
+      EXPECT_LT((folded.velocity(i) - plain.velocity(i)).norm(), 1e-12) << beta;
+    }
+  }
 }
 
 TEST(Refinement, RefusesWhatHasNoFinerForm) {

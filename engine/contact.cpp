@@ -149,11 +149,11 @@ auto Contacts<Real>::record(const Side& side, const Side& partners, int other, i
 
 template <class Real>
 void Contacts<Real>::sort_by_pup(const std::vector<TouchingPair>& pairs, State<Real>& state) {
-  state.touching.clear();
+  if (records_.pairs) state.touching.clear();
   ends_.assign(state.pups + 1, 0);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (found_[i].first.begin == found_[i].first.end) continue;
-    state.touching.push_back(pairs[i]);
+    if (records_.pairs) state.touching.push_back(pairs[i]);
     ++ends_[pairs[i].first + 1];
     ++ends_[pairs[i].second + 1];
   }
@@ -167,8 +167,10 @@ void Contacts<Real>::sort_by_pup(const std::vector<TouchingPair>& pairs, State<R
 }
 
 template <class Real>
-void Contacts<Real>::find(const Params& params, State<Real>& state, Team& team) {
+void Contacts<Real>::find(const Params& params, ContactRecords records, State<Real>& state,
+                          Team& team) {
   rule_ = params.contact;
+  records_ = records;
   reach_ = static_cast<Real>(2 * params.point_radius);
   const std::vector<TouchingPair>& pairs = broad_phase_.find(state.bounds, reach_);
   const int workers = useful_workers(team, state.pups);
@@ -199,10 +201,12 @@ void Contacts<Real>::add_up(std::span<const Touch> touches, Worker& mine) const 
   for (const Touch& touch : touches) {
     mine.bits[touch.point / 64] |= std::uint64_t{1} << (touch.point % 64);
     Touch& total = mine.total[touch.point];
-    // Pairs come in the order of pups, so the first of equal distances is that of the lower pup.
-    const bool nearer = touch.nearest < total.nearest;
-    total.nearest = nearer ? touch.nearest : total.nearest;
-    total.other = nearer ? touch.other : total.other;
+    if (records_.owners) {
+      // Pairs come in the order of pups, so the first of equal distances is that of the lower pup.
+      const bool nearer = touch.nearest < total.nearest;
+      total.nearest = nearer ? touch.nearest : total.nearest;
+      total.other = nearer ? touch.other : total.other;
+    }
     if (rule_ == ContactRule::nearest) {
       if (!(touch.lower < total.lower)) continue;
       std::copy(touch.push, touch.push + 3, total.push);
@@ -236,8 +240,8 @@ bool Contacts<Real>::move_point(const Touch& touch, Real share, Real suspect, st
 }
 
 template <class Real>
-Status Contacts<Real>::apply(const Params& params, double share_of_push, bool afferents,
-                             State<Real>& state, int pup, int worker) {
+Status Contacts<Real>::apply(const Params& params, double share_of_push, State<Real>& state,
+                             int pup, int worker) {
   const auto suspect = static_cast<Real>(kSuspectRadii * params.pup_radius);
   const auto share = static_cast<Real>(share_of_push);
   Worker& mine = workers_[worker];
@@ -248,17 +252,17 @@ Status Contacts<Real>::apply(const Params& params, double share_of_push, bool af
   }
   const std::size_t row = state.row(pup);
   int* touched = state.touched.data() + state.flat(pup);
-  if (afferents) std::fill(touched, touched + state.points, -1);
+  if (records_.pairs) std::fill(touched, touched + state.points, -1);
   bool sound = true;
   int touching = 0;
   for_each_point(mine.bits.data(), words_for(state.points), [&](int point) {
     Touch& touch = mine.total[point];
     ++touching;
-    if (afferents) touched[point] = touch.other;
+    if (records_.owners) touched[point] = touch.other;
     if (touch.movers > 0) sound &= move_point(touch, share, suspect, row + point, state);
     touch = Touch{};
   });
-  if (afferents) {
+  if (records_.exposure) {
     std::copy(mine.bits.begin(), mine.bits.end(), state.touching_points.data() + state.set(pup));
     state.exposed[pup] = static_cast<double>(state.points - touching) / state.points;
   }

@@ -26,25 +26,31 @@
 
 namespace pupflow {
 
+/// What contacts record beside moving points (plan.h says who reads it).
+struct ContactRecords {
+  bool exposure = true;  // `exposed`, and `touching_points`
+  bool owners = true;    // `touched` of the points that touch somebody
+  bool pairs = true;     // `touching`, and -1 in `touched` for the points that touch nobody
+};
+
 /// The contact stage and its working memory: first `find` for the litter, then `apply` for each
 /// pup.
 template <class Real>
 class Contacts {
  public:
-  /// Finds all contacts of `state`, whose bounds must be true, and fills `touching`. The workers of
-  /// `team` share the pairs of pups; no sum depends on how many there are.
-  void find(const Params& params, State<Real>& state, Team& team);
+  /// Finds all contacts of `state`, whose bounds must be true. `records` says what of the state
+  /// this step fills: the list of pairs here, the rest in `apply`. What it does not say stays as it
+  /// was. The workers of `team` share the pairs of pups; no sum depends on how many there are.
+  void find(const Params& params, ContactRecords records, State<Real>& state, Team& team);
 
   /// Pairs of pups that the last `find` had to search point by point; the others were too far
   /// apart.
   std::int64_t searched_pairs() const;
 
   /// Moves the points of `pup`, by `share_of_push` of what contacts displace them (1 but with a
-  /// refined step, refinement.h), and, with `afferents`, fills its `touched`, `touching_points` and
-  /// `exposed`. Its bounds are no longer true. Different workers of the team may do different pups
-  /// at a time.
-  Status apply(const Params& params, double share_of_push, bool afferents, State<Real>& state,
-               int pup, int worker);
+  /// refined step, refinement.h), and records what is wanted of them. Its bounds are no longer
+  /// true. Different workers of the team may do different pups at a time.
+  Status apply(const Params& params, double share_of_push, State<Real>& state, int pup, int worker);
 
  private:
   static constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
@@ -96,6 +102,7 @@ class Contacts {
                   State<Real>& state) const;
 
   ContactRule rule_ = ContactRule::nearest;  // of this step
+  ContactRecords records_;                   // of this step
   Real reach_ = 0;                           // 2 r
   BroadPhase<Real> broad_phase_;
   std::vector<Worker> workers_;

@@ -72,9 +72,9 @@ double heat_step(const Params& params, double tb, double exposed, double contact
 }
 
 template <class Real>
-Status heat(const Params& params, const State<Real>& state, int pup, double& next) {
+Status heat(const Params& params, bool with_mean, const State<Real>& state, int pup, double& next) {
   const double exposed = state.exposed[pup];
-  const double contact_mean = exposed < 1 ? mean_touched_temperature(state, pup) : 0;
+  const double contact_mean = with_mean && exposed < 1 ? mean_touched_temperature(state, pup) : 0;
   next = heat_step(params, state.tb[pup], exposed, contact_mean);
   const auto bad = [&](Status::Kind kind) {
     return Status{kind, Stage::heat, state.step + 1, pup, -1};
@@ -84,7 +84,7 @@ Status heat(const Params& params, const State<Real>& state, int pup, double& nex
   return {};
 }
 
-template Status heat<float>(const Params&, const State<float>&, int, double&);
-template Status heat<double>(const Params&, const State<double>&, int, double&);
+template Status heat<float>(const Params&, bool, const State<float>&, int, double&);
+template Status heat<double>(const Params&, bool, const State<double>&, int, double&);
 
 }  // namespace pupflow

@@ -17,8 +17,9 @@ namespace pupflow {
 /// the result is finite wherever the exact value of the step is.
 double heat_step(const Params& params, double tb, double exposed, double contact_mean);
 
-/// T_b of one pup after this step. It is not yet set: all pups change at once.
+/// T_b of one pup after this step. It is not yet set: all pups change at once. Where k2 = 0 nothing
+/// depends on the mean of the touched temperatures; without `with_mean` it is not worked out.
 template <class Real>
-Status heat(const Params& params, const State<Real>& state, int pup, double& next);
+Status heat(const Params& params, bool with_mean, const State<Real>& state, int pup, double& next);
 
 }  // namespace pupflow

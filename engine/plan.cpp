@@ -3,108 +3,202 @@
 namespace pupflow {
 namespace {
 
-/// One decision: the first reason that leaves a stage out, or why it is in.
-struct Decision {
+/// The first reason that leaves something out, or why it is in.
+struct Verdict {
   bool needed;
-  const char* reason;
+  std::string reason;
 };
 
-bool has_heat(const Params& p) {
-  return p.k1 != 0 || p.k2 != 0 || p.g != 0;
-}
+struct PartRow {
+  Part part;
+  Stage stage;
+  std::string_view name;
+};
 
-Decision decide_boundary(const Params& p) {
+constexpr PartRow kParts[kPartCount] = {
+    {Part::exposure, Stage::contact, "exposed share"},
+    {Part::owners, Stage::contact, "whom points touch"},
+    {Part::pairs, Stage::contact, "touching pairs"},
+    {Part::turn, Stage::steering, "turn"},
+    {Part::mean_temperature, Stage::heat, "mean touched temperature"},
+    {Part::rotation, Stage::shape_match, "rotation"},
+    {Part::quadratic, Stage::shape_match, "quadratic terms"},
+};
+
+Verdict decide_boundary(const Params& p) {
   if (p.pups == 0) return {false, "there is no pup"};
   return {true, "every pup meets the floor or the wall"};
 }
 
-Decision decide_contact(const Params& p) {
+Verdict decide_contact(const Params& p) {
   if (p.pups < 2) return {false, "fewer than two pups: nobody to touch"};
   return {true, "pups can touch each other"};
 }
 
-Decision decide_steering(const Params& p) {
-  if (p.pups == 0) return {false, "there is no pup"};
-  if (p.drive == 0) return {false, "drive = 0: the direction of travel moves nothing"};
-  if (p.heading == Heading::body) return {true, "the direction of travel follows the body axis"};
-  if (p.pups < 2)
-    return {false, "one pup touches nobody, so both its sides feel T_a and it keeps its course"};
+Verdict decide_turn(const Params& p) {
+  if (p.pups < 2) return {false, "one pup touches nobody: both its sides feel T_a"};
   if (p.sigma == 0) return {false, "sigma = 0: both sensors read the same, so nobody turns"};
   if (p.v == 0) return {false, "v = 0: nobody turns"};
   return {true, "contacts turn the pups"};
 }
 
-Decision decide_heat(const Params& p) {
+Verdict decide_steering(const Params& p) {
   if (p.pups == 0) return {false, "there is no pup"};
-  if (!has_heat(p)) return {false, "k1 = k2 = g = 0: body temperatures never change"};
+  if (p.drive == 0) return {false, "drive = 0: the direction of travel moves nothing"};
+  if (p.heading == Heading::body) return {true, "the direction of travel follows the body axis"};
+  return decide_turn(p);  // a course that nothing turns stays as it is
+}
+
+Verdict decide_heat(const Params& p) {
+  if (p.pups == 0) return {false, "there is no pup"};
+  if (p.k1 == 0 && p.k2 == 0 && p.g == 0)
+    return {false, "k1 = k2 = g = 0: body temperatures never change"};
   return {true, "body temperatures change"};
 }
 
-Decision decide_predict(const Params& p) {
+Verdict decide_mean_temperature(const Params& p) {
+  if (p.pups < 2) return {false, "fewer than two pups: nobody to touch"};
+  if (p.k2 == 0) return {false, "k2 = 0: no heat flows between pups"};
+  return {true, "heat flows between pups that touch"};
+}
+
+Verdict decide_predict(const Params& p) {
   if (p.pups == 0) return {false, "there is no pup"};
   return {true, "points move by their velocity, gravity and drive"};
 }
 
-Decision decide_shape_match(const Params& p) {
+Verdict decide_shape_match(const Params& p) {
   if (p.pups == 0) return {false, "there is no pup"};
   if (p.alpha == 0) return {false, "alpha = 0: points are not drawn to any goal"};
-  if (p.beta == 0) return {true, "rotation only: beta = 0 needs no quadratic terms"};
-  return {true, "rotation and quadratic terms"};
+  return {true, "points are drawn to their goals"};
 }
 
-Decision decide(Stage stage, const Params& params) {
+Verdict decide_rotation(const Params& p) {
+  if (p.beta == 1) return {false, "beta = 1: goals are the fit alone"};
+  return {true, "goals are in part the rest shape, turned"};
+}
+
+Verdict decide_quadratic(const Params& p) {
+  if (p.beta == 0) return {false, "beta = 0: goals only turn and move"};
+  return {true, "goals bend with the body"};
+}
+
+Verdict decide(Stage stage, const Params& p) {
   switch (stage) {
     case Stage::boundary:
-      return decide_boundary(params);
+      return decide_boundary(p);
     case Stage::contact:
-      return decide_contact(params);
+      return decide_contact(p);
     case Stage::steering:
-      return decide_steering(params);
+      return decide_steering(p);
     case Stage::heat:
-      return decide_heat(params);
+      return decide_heat(p);
     case Stage::predict:
-      return decide_predict(params);
+      return decide_predict(p);
     case Stage::shape_match:
-      return decide_shape_match(params);
+      return decide_shape_match(p);
   }
   return {true, ""};
 }
 
+/// A part of the contact stage, which is needed if anybody reads it.
+Verdict decide_readers(bool heat, bool steering, bool observer) {
+  std::string readers;
+  const auto add = [&](bool reads, const char* who) {
+    if (reads) readers += (readers.empty() ? "" : ", ") + std::string(who);
+  };
+  add(heat, "heat");
+  add(steering, "steering");
+  add(observer, "an observer");
+  if (readers.empty()) return {false, "neither heat nor steering nor an observer reads it"};
+  return {true, "read by " + readers};
+}
+
+/// Whether `part` is needed in a step that has its stage.
+Verdict decide(Part part, const Params& p, bool observed) {
+  const bool heat = decide_heat(p).needed;
+  const bool turn = decide_steering(p).needed && decide_turn(p).needed;
+  switch (part) {
+    case Part::exposure:
+      return decide_readers(heat && (p.k1 != 0 || p.k2 != 0), turn, observed);
+    case Part::owners:
+      return decide_readers(heat && decide_mean_temperature(p).needed, turn, observed);
+    case Part::pairs:
+      if (!observed) return {false, "only an observer reads them"};
+      return {true, "read by an observer"};
+    case Part::turn:
+      return decide_turn(p);
+    case Part::mean_temperature:
+      return decide_mean_temperature(p);
+    case Part::rotation:
+      return decide_rotation(p);
+    case Part::quadratic:
+      return decide_quadratic(p);
+  }
+  return {true, ""};
+}
+
+void add_parts(Stage stage, const Params& params, bool observed, Plan& plan) {
+  for (const PartRow& row : kParts) {
+    if (row.stage == stage && decide(row.part, params, observed).needed) plan.add(row.part);
+  }
+}
+
 }  // namespace
+
+Stage stage_of(Part part) {
+  return kParts[static_cast<std::size_t>(part)].stage;
+}
+
+std::string_view part_name(Part part) {
+  return kParts[static_cast<std::size_t>(part)].name;
+}
+
+Plan whole_stage(Stage stage, const Params& params, bool observed) {
+  Plan plan;
+  plan.add(stage);
+  add_parts(stage, params, observed, plan);
+  return plan;
+}
 
 Plan make_plan(const Params& params, bool observed) {
   Plan plan;
-  for (int i = 0; i < kStageCount; ++i)
-    plan.needed[i] = decide(static_cast<Stage>(i), params).needed;
-  plan.quadratic = plan.has(Stage::shape_match) && params.beta > 0;
-  const bool heat_feels = plan.has(Stage::heat) && (params.k1 != 0 || params.k2 != 0);
-  plan.afferents =
-      plan.has(Stage::contact) && (observed || heat_feels || plan.has(Stage::steering));
+  for (int i = 0; i < kStageCount; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    if (!decide(stage, params).needed) continue;
+    plan.add(stage);
+    add_parts(stage, params, observed, plan);
+  }
   return plan;
 }
 
 Plan joined(const Plan& plan, const Plan& more) {
   Plan both;
-  for (int i = 0; i < kStageCount; ++i) both.needed[i] = plan.needed[i] || more.needed[i];
-  both.quadratic = both.has(Stage::shape_match) && (plan.quadratic || more.quadratic);
-  both.afferents =
-      both.has(Stage::contact) && (plan.afferents || more.afferents || both.has(Stage::steering));
+  for (int i = 0; i < kStageCount; ++i) both.stages[i] = plan.stages[i] || more.stages[i];
+  for (int i = 0; i < kPartCount; ++i) {
+    both.parts[i] = both.has(kParts[i].stage) && (plan.parts[i] || more.parts[i]);
+  }
+  if (both.has(Stage::contact) && (both.has(Part::turn) || both.has(Part::mean_temperature))) {
+    both.add(Part::exposure);
+    both.add(Part::owners);
+  }
   return both;
 }
 
-std::vector<PlannedStage> explain_plan(const Params& params, bool observed) {
-  std::vector<PlannedStage> stages;
-  const Plan plan = make_plan(params, observed);
+std::vector<Decision> explain_plan(const Params& params, bool observed) {
+  std::vector<Decision> decisions;
   for (int i = 0; i < kStageCount; ++i) {
     const auto stage = static_cast<Stage>(i);
-    const Decision decision = decide(stage, params);
-    std::string reason = decision.reason;
-    if (stage == Stage::contact && decision.needed && !plan.afferents) {
-      reason += "; who touches whom is not recorded: no heat, steering or observer asks for it";
+    const Verdict verdict = decide(stage, params);
+    decisions.push_back({stage, {}, verdict.needed, verdict.reason});
+    if (!verdict.needed) continue;
+    for (const PartRow& row : kParts) {
+      if (row.stage != stage) continue;
+      const Verdict part = decide(row.part, params, observed);
+      decisions.push_back({stage, row.part, part.needed, part.reason});
     }
-    stages.push_back({stage, decision.needed, reason});
   }
-  return stages;
+  return decisions;
 }
 
 }  // namespace pupflow

@@ -1,8 +1,10 @@
-// Which stages a scene needs. The step is that list and nothing else.
+// Which stages a scene needs, and which parts of them. The step is that list and nothing else.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/params.h"
@@ -10,32 +12,55 @@
 
 namespace pupflow {
 
-/// Whether one stage is in the step, and the reason in one sentence.
-struct PlannedStage {
-  Stage stage;
-  bool needed;
-  std::string reason;
+/// Parts of stages that not every scene needs, in the order of their stages.
+enum class Part {
+  exposure,          // contacts: which points touch, and the share A of those that do not
+  owners,            // contacts: whose point each of them touches
+  pairs,             // contacts: the list of pairs of pups, and the points that touch nobody
+  turn,              // steering: what both sides feel, and the turn; not only the direction
+  mean_temperature,  // heat: the mean of the touched temperatures
+  rotation,          // shape matching: the nearest rotation
+  quadratic          // shape matching: quadratic terms
 };
+constexpr int kPartCount = 7;
 
-/// The stages of one step for one parameter set.
+/// The stage that a part belongs to, and what the part is called.
+Stage stage_of(Part part);
+std::string_view part_name(Part part);
+
+/// The stages of one step for one parameter set, and the parts of those stages.
 struct Plan {
-  std::array<bool, kStageCount> needed{};
-  bool quadratic = false;  // shape matching fits quadratic terms, not only a rotation
-  bool afferents = false;  // contacts record whom each point touches (for heat, steering, exposure)
+  std::array<bool, kStageCount> stages{};
+  std::array<bool, kPartCount> parts{};
 
-  bool has(Stage stage) const { return needed[static_cast<std::size_t>(stage)]; }
-  void add(Stage stage) { needed[static_cast<std::size_t>(stage)] = true; }
+  bool has(Stage stage) const { return stages[static_cast<std::size_t>(stage)]; }
+  bool has(Part part) const { return parts[static_cast<std::size_t>(part)]; }
+  void add(Stage stage) { stages[static_cast<std::size_t>(stage)] = true; }
+  void add(Part part) { parts[static_cast<std::size_t>(part)] = true; }
   friend bool operator==(const Plan&, const Plan&) = default;
 };
 
 /// The plan for `params` (which must be sound). `observed` tells whether anybody looks at exposure,
-/// groups or flow: without an observer, heat or steering, contacts need not say who touches whom.
+/// groups or flow.
 Plan make_plan(const Params& params, bool observed);
 
-/// What either plan has. Steering reads whom each point touches, so with it contacts record that.
+/// What either plan has, and what that reads: a turn and a mean temperature read whom each point
+/// touches. Parts of stages that neither has are left out.
 Plan joined(const Plan& plan, const Plan& more);
 
-/// The same decisions with their reasons, all stages in order; for people.
-std::vector<PlannedStage> explain_plan(const Params& params, bool observed);
+/// Whether a stage, or a part of one, is in the step, and the reason in one sentence.
+struct Decision {
+  Stage stage;
+  std::optional<Part> part;
+  bool needed;
+  std::string reason;
+};
+
+/// The same decisions with their reasons, for people: all stages in order, each that is in with its
+/// parts behind it.
+std::vector<Decision> explain_plan(const Params& params, bool observed);
+
+/// `stage` with those of its parts that the scene would need if it needed the stage.
+Plan whole_stage(Stage stage, const Params& params, bool observed);
 
 }  // namespace pupflow

@@ -91,6 +91,7 @@ ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, do
   ModeMatrix goal = beta * fit;
   // The fitted linear map of rest offsets is linear / linear_scale, the rotation's is R.
   Eigen::Matrix3d map = (beta / linear_scale) * linear_part(fit) + (1 - beta) * rotation;
+  if (beta == 1) map.array() += 0.0;  // -0 would tell the signs of 0 R
   if (beta > 0) map *= volume_factor(determinant(map), beta);
   goal.middleCols<kLinearModes>(1) = linear_scale * map;
   goal.col(kMeanMode) = fit.col(kMeanMode);
@@ -153,12 +154,14 @@ void draw_to_goals(const Params& params, const StepBody& body, bool quadratic,
 }
 
 template <class Real>
-RotationKind match_shape(const Params& params, const StepBody& body, bool quadratic,
+RotationKind match_shape(const Params& params, const StepBody& body, MatchParts parts,
                          const Cloud<Real>& cloud, State<Real>& state, int pup) {
-  const BodyFit fit = fit_body(params, body, quadratic, cloud, state, pup);
-  const Rotation rotation = nearest_rotation(linear_part(fit.shape));
+  const BodyFit fit = fit_body(params, body, parts.quadratic, cloud, state, pup);
+  const Rotation rotation = parts.rotation
+                                ? nearest_rotation(linear_part(fit.shape))
+                                : Rotation{Eigen::Matrix3d::Zero(), RotationKind::regular};
   const ModeMatrix goal = goal_modes(fit.shape, rotation.matrix, cloud.linear_scale, body.beta);
-  draw_to_goals(params, body, quadratic, cloud, fit, goal, state, pup);
+  draw_to_goals(params, body, parts.quadratic, cloud, fit, goal, state, pup);
   return rotation.kind;
 }
 
@@ -170,7 +173,7 @@ RotationKind match_shape(const Params& params, const StepBody& body, bool quadra
                                   const State<Real>&, int);                                        \
   template void draw_to_goals<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,      \
                                     const BodyFit&, const ModeMatrix&, State<Real>&, int);         \
-  template RotationKind match_shape<Real>(const Params&, const StepBody&, bool,                    \
+  template RotationKind match_shape<Real>(const Params&, const StepBody&, MatchParts,              \
                                           const Cloud<Real>&, State<Real>&, int);
 PUPFLOW_INSTANTIATE(float)
 PUPFLOW_INSTANTIATE(double)

@@ -50,7 +50,7 @@ inline Eigen::Matrix3d linear_part(const ModeMatrix& fit) {
 }
 
 /// Coefficients of the goals for a fit and the rotation of its linear part: the mean is kept, the
-/// rest is T.
+/// rest is T. With beta = 1 any finite `rotation` gives the same bits.
 ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, double linear_scale,
                       double beta);
 
@@ -74,10 +74,16 @@ void draw_to_goals(const Params& params, const StepBody& body, bool quadratic,
 template <class Real>
 void predict(const Params& params, State<Real>& state, int pup);
 
-/// Draws one pup's points towards their goals, fitted with or without the quadratic modes: fit,
-/// nearest rotation, goals, draw. Returns how the rotation was found.
+/// What goals are made of: with beta = 0 nothing of the quadratic modes, with beta = 1 nothing of
+/// the rotation.
+struct MatchParts {
+  bool quadratic = true, rotation = true;
+};
+
+/// Draws one pup's points towards their goals: fit, nearest rotation, goals, draw. Returns how the
+/// rotation was found: regular, where none was looked for.
 template <class Real>
-RotationKind match_shape(const Params& params, const StepBody& body, bool quadratic,
+RotationKind match_shape(const Params& params, const StepBody& body, MatchParts parts,
                          const Cloud<Real>& cloud, State<Real>& state, int pup);
 
 }  // namespace pupflow

@@ -43,8 +43,10 @@ class Simulation {
   /// std::logic_error when `needs_restart(this->params(), params)`: those define the litter.
   void set_params(const Params& params);
 
-  /// Whether somebody will look at exposure, touching pairs or groups; true at first. Where nothing
-  /// else needs them, contacts do not record them while this is false.
+  /// Whether somebody will look at exposure, touched pups, touching pairs or groups; true at first.
+  /// Steps taken while this is false record of them only what heat and steering read; the others
+  /// stay as the last observed step left them. May change between any two steps: it changes no bit
+  /// of the litter. Flow compares with the step before, which must be observed, too.
   void set_observed(bool observed);
 
   /// Runs the stages and parts of `more` too, from the next step on, though the scene needs none of
@@ -110,7 +112,8 @@ class Simulation {
   /// The whole state as plain numbers.
   Snapshot snapshot() const;
 
-  /// Rotations since the start that came from flat, mirrored or collapsed clouds (rotation.h).
+  /// Rotations since the start that came from flat, mirrored or collapsed clouds (rotation.h). With
+  /// beta = 1 no rotation is worked out, so none is counted.
   std::int64_t rotation_fallbacks() const;
 
   /// Pairs of pups that were searched point by point since the start; pairs out of reach are not.

@@ -53,17 +53,17 @@ struct Step {
         apply_boundaries(params, state, pup);
         return {};
       case Stage::contact:
-        return workspace.contacts.apply(params, body.contact_share, plan.afferents, state, pup,
-                                        worker);
+        return workspace.contacts.apply(params, body.contact_share, state, pup, worker);
       case Stage::steering:
-        return steer(params, cloud, state, pup);
+        return steer(params, plan.has(Part::turn), cloud, state, pup);
       case Stage::heat:
-        return heat(params, state, pup, workspace.next_tb[pup]);
+        return heat(params, plan.has(Part::mean_temperature), state, pup, workspace.next_tb[pup]);
       case Stage::predict:
         predict(params, state, pup);
         break;
       case Stage::shape_match:
-        const RotationKind kind = match_shape(params, body, plan.quadratic, cloud, state, pup);
+        const MatchParts parts{plan.has(Part::quadratic), plan.has(Part::rotation)};
+        const RotationKind kind = match_shape(params, body, parts, cloud, state, pup);
         counters.rotation_fallbacks += kind == RotationKind::regular ? 0 : 1;
         break;
     }
@@ -74,7 +74,9 @@ struct Step {
   /// while its points are at hand.
   void run(std::size_t begin, std::size_t end, StepCounters& counters) const {
     if (agenda.stages()[begin] == Stage::contact) {
-      workspace.contacts.find(params, state, workspace.team);
+      const ContactRecords records{plan.has(Part::exposure), plan.has(Part::owners),
+                                   plan.has(Part::pairs)};
+      workspace.contacts.find(params, records, state, workspace.team);
       counters.searched_pairs += workspace.contacts.searched_pairs();
     }
     const int workers = useful_workers(workspace.team, state.pups);

@@ -112,16 +112,18 @@ SideTemperatures body_side_temperatures(const Params& params, const Cloud<Real>&
 }
 
 template <class Real>
-Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state, int pup) {
+Status steer(const Params& params, bool turns, const Cloud<Real>& cloud, State<Real>& state,
+             int pup) {
   const bool course = params.heading == Heading::course;
-  const bool touches = state.exposed[pup] < 1;  // else both sides feel T_a and there is no turn
+  // Who touches nobody feels T_a on both sides and does not turn.
+  const bool touches = turns && state.exposed[pup] < 1;
   if (course && !touches) return {};
   const double direction = course ? state.heading[pup] : body_axis(cloud, state, pup);
   double delta = 0;
   if (touches) {
     const SideTemperatures t = course ? side_temperatures(params, cloud, state, pup, direction)
                                       : body_side_temperatures(params, cloud, state, pup);
-    delta = turn(params, state.tb[pup], t.left, t.right);
+    delta = 0.0 + turn(params, state.tb[pup], t.left, t.right);  // a turn of -0 is none
   }
   const double next = direction + (course ? params.dt * delta : delta);
   if (!std::isfinite(next))
@@ -136,7 +138,7 @@ Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state,
                                                     const State<Real>&, int, double);       \
   template SideTemperatures body_side_temperatures<Real>(const Params&, const Cloud<Real>&, \
                                                          const State<Real>&, int);          \
-  template Status steer<Real>(const Params&, const Cloud<Real>&, State<Real>&, int);
+  template Status steer<Real>(const Params&, bool, const Cloud<Real>&, State<Real>&, int);
 PUPFLOW_INSTANTIATE(float)
 PUPFLOW_INSTANTIATE(double)
 #undef PUPFLOW_INSTANTIATE

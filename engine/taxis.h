@@ -40,7 +40,10 @@ SideTemperatures body_side_temperatures(const Params& params, const Cloud<Real>&
                                         const State<Real>& state, int pup);
 
 /// Steers one pup: sets its heading. Reads the body temperatures of others, so heat comes later.
+/// Where v = 0 or sigma = 0 the turn is 0; without `turns` it is not worked out, and what the pup
+/// touches is not read.
 template <class Real>
-Status steer(const Params& params, const Cloud<Real>& cloud, State<Real>& state, int pup);
+Status steer(const Params& params, bool turns, const Cloud<Real>& cloud, State<Real>& state,
+             int pup);
 
 }  // namespace pupflow

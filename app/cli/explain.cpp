@@ -120,13 +120,19 @@ std::string explanation(const io::Setup& setup, const Costs& costs) {
   double stages = 0;
   for (int i = 0; i < kStageCount; ++i) stages += costs.stages.median(static_cast<Stage>(i));
   std::vector<io::Row> rows{{"stage", "in the step", "µs a step", "of the step", "why"}};
-  for (const PlannedStage& planned : explain_plan(setup.params, true)) {
-    const double cost = costs.stages.median(planned.stage);
-    add_row(
-        rows,
-        {std::string(stage_name(planned.stage)), planned.needed ? "yes" : "no",
-         planned.needed ? microseconds(cost) : std::string(8, ' ') + "-", io::bar(cost, stages)},
-        planned.reason);
+  for (const Decision& decision : explain_plan(setup.params, true)) {
+    const std::string nothing = std::string(8, ' ') + "-";
+    if (decision.part) {
+      if (decision.needed) continue;  // its cost is in its stage
+      add_row(rows, {"- " + std::string(part_name(*decision.part)), "no", nothing, ""},
+              decision.reason);
+      continue;
+    }
+    const double cost = costs.stages.median(decision.stage);
+    add_row(rows,
+            {std::string(stage_name(decision.stage)), decision.needed ? "yes" : "no",
+             decision.needed ? microseconds(cost) : nothing, io::bar(cost, stages)},
+            decision.reason);
   }
   rows.push_back({"whole step", "", microseconds(costs.step)});
   add_row(

@@ -77,7 +77,9 @@ class Run {
         means_(simulation_.params().discard),
         summary_(!options.common.quiet) {
     simulation_.set_threads(thread_count(options.common));
-    simulation_.set_observed(files_.metrics || files_.pups || files_.recording || summary_);
+    // A checkpoint holds who touches whom, with which whoever goes on compares.
+    simulation_.set_observed(files_.metrics || files_.pups || files_.recording || summary_ ||
+                             !options.checkpoint.empty());
   }
 
   /// Steps to the end, a bad status, or Ctrl-C; then puts the files in place.

@@ -21,8 +21,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kPatience{5};  // for measuring, whatever the size of the scene
-constexpr const char* kQuadratic = "quadratic terms";
-constexpr const char* kRecord = "touch record";
 
 /// One run of the scene and the time that its steps take.
 class Run {
@@ -73,32 +71,26 @@ struct Omission {
 };
 
 std::vector<Omission> omissions_of(const Params& params) {
-  const Plan plan = make_plan(params, false);
   std::vector<Omission> omissions;
-  for (const PlannedStage& planned : explain_plan(params, false)) {
-    const Stage stage = planned.stage;
+  for (const Decision& decision : explain_plan(params, false)) {
+    if (decision.needed) continue;
     Plan more;
-    if (!planned.needed) {
-      more.add(stage);
-      more.afferents = stage == Stage::contact;
-      more.quadratic = stage == Stage::shape_match && params.beta > 0;
-      omissions.push_back({std::string(stage_name(stage)), planned.reason, stage, more});
-    } else if (stage == Stage::contact && !plan.afferents) {
-      more.afferents = true;
-      omissions.push_back(
-          {kRecord, "no heat, steering or observer asks who touches whom", stage, more});
-    } else if (stage == Stage::shape_match && !plan.quadratic) {
-      more.quadratic = true;
-      omissions.push_back({kQuadratic, "beta = 0: goals only turn and move", stage, more});
+    if (decision.part) {
+      more.add(*decision.part);
+    } else {
+      more = whole_stage(decision.stage, params, false);
     }
+    const std::string_view name =
+        decision.part ? part_name(*decision.part) : stage_name(decision.stage);
+    omissions.push_back({std::string(name), decision.reason, decision.stage, more});
   }
   return omissions;
 }
 
 Plan everything() {
   Plan plan;
-  plan.needed.fill(true);
-  plan.quadratic = plan.afferents = true;
+  plan.stages.fill(true);
+  plan.parts.fill(true);
   return plan;
 }
 
@@ -139,7 +131,7 @@ struct Field {
         watched(params, {}, true),
         full(params, everything(), true) {
     for (const Omission& omission : omissions) forced.emplace_back(params, omission.more, false);
-    if (planned.simulation().plan().quadratic) {
+    if (planned.simulation().plan().has(pupflow::Part::quadratic)) {
       Params rigid = params;
       rigid.beta = 0;
       twin.emplace(rigid, Plan{}, false);
@@ -207,7 +199,7 @@ std::vector<Part> parts_of(const Field& field) {
     }
     if (stage == Stage::shape_match && field.twin) {
       const double cost = median_difference(field.twin->timer.times(stage), timer.times(stage));
-      parts.push_back({kQuadratic, true, true, "", cost});
+      parts.push_back({std::string(part_name(pupflow::Part::quadratic)), true, true, "", cost});
     }
   }
   Part observables{"observables", false, false,

@@ -16,10 +16,10 @@ namespace {
 template <class Real>
 Status resolve(Contacts<Real>& contacts, const Params& params, State<Real>& state) {
   Team team;
-  contacts.find(params, state, team);
+  contacts.find(params, {}, state, team);
   Status first;
   for (int pup = 0; pup < state.pups; ++pup) {
-    const Status status = contacts.apply(params, 1, true, state, pup, 0);
+    const Status status = contacts.apply(params, 1, state, pup, 0);
     if (first.ok()) first = status;
   }
   return first;

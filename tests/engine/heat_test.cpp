@@ -110,7 +110,7 @@ TEST(Heat, TouchedTemperaturesMayAddUpToMoreThanADoubleHolds) {
   p.k1 = 0;
   p.k2 = 1e160;
   double next = 0;
-  EXPECT_TRUE(heat(p, state, 0, next).ok());
+  EXPECT_TRUE(heat(p, true, state, 0, next).ok());
   EXPECT_NEAR(next / 1.5e308, 1, 1e-14);  // sums of 147 round
 }
 

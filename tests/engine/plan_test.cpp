@@ -6,6 +6,7 @@
 #include <functional>
 #include <ostream>
 
+#include "engine/shape_match.h"
 #include "engine/simulation.h"
 
 namespace pupflow {
@@ -19,44 +20,101 @@ Plan plan_of(void (*edit)(Params&)) {
 
 TEST(Plan, ThePapersLitterNeedsEverything) {
   const Plan plan = make_plan(Params{}, true);
-  for (const bool needed : plan.needed) EXPECT_TRUE(needed);
-  EXPECT_TRUE(plan.quadratic);
-  EXPECT_TRUE(plan.afferents);
+  for (const bool needed : plan.stages) EXPECT_TRUE(needed);
+  for (const bool needed : plan.parts) EXPECT_TRUE(needed);
 }
 
 TEST(Plan, LeavesOutWhatASceneDoesNotNeed) {
-  EXPECT_FALSE(plan_of([](Params& p) { p.beta = 0; }).quadratic);
+  EXPECT_FALSE(plan_of([](Params& p) { p.beta = 0; }).has(Part::quadratic));
+  EXPECT_FALSE(plan_of([](Params& p) { p.beta = 1; }).has(Part::rotation));
+  EXPECT_FALSE(plan_of([](Params& p) { p.k2 = 0; }).has(Part::mean_temperature));
   EXPECT_FALSE(plan_of([](Params& p) { p.alpha = 0; }).has(Stage::shape_match));
   EXPECT_FALSE(plan_of([](Params& p) { p.pups = 1; }).has(Stage::contact));
   EXPECT_FALSE(plan_of([](Params& p) { p.drive = 0; }).has(Stage::steering));
   EXPECT_FALSE(plan_of([](Params& p) { p.k1 = p.k2 = p.g = 0; }).has(Stage::heat));
   EXPECT_TRUE(plan_of([](Params& p) { p.k1 = p.k2 = 0; }).has(Stage::heat));
   const Plan nobody = plan_of([](Params& p) { p.pups = 0; });
-  for (const bool needed : nobody.needed) EXPECT_FALSE(needed);
+  for (const bool needed : nobody.stages) EXPECT_FALSE(needed);
+  for (const bool needed : nobody.parts) EXPECT_FALSE(needed);
 }
 
-TEST(Plan, AfferentsAreRecordedOnlyForThoseWhoAsk) {
-  Params p;
-  p.drive = p.k1 = p.k2 = 0;
-  EXPECT_TRUE(make_plan(p, true).afferents);
-  EXPECT_FALSE(make_plan(p, false).afferents);
+TEST(Plan, WhereNobodyTurnsABodyStillHasADirection) {
+  for (double Params::*const cause : {&Params::v, &Params::sigma}) {
+    Params p;
+    p.*cause = 0;
+    EXPECT_FALSE(make_plan(p, true).has(Stage::steering));
+    p.heading = Heading::body;
+    EXPECT_TRUE(make_plan(p, true).has(Stage::steering));
+    EXPECT_FALSE(make_plan(p, true).has(Part::turn));
+  }
 }
 
-TEST(Plan, EveryStageHasAReason) {
+TEST(Plan, ContactsRecordWhatSomebodyReads) {
+  struct Case {
+    double drive, k1, k2;
+    bool observed;
+    std::array<bool, 3> expected;  // exposure, owners, pairs
+  };
+  for (const Case& c : {Case{1, 0.9, 1, true, {true, true, true}},
+                        {1, 0.9, 1, false, {true, true, false}},
+                        {1, 0, 0, false, {true, true, false}},
+                        {0, 0.9, 1, false, {true, true, false}},
+                        {0, 0, 1, false, {true, true, false}},
+                        {0, 0.9, 0, false, {true, false, false}},
+                        {0, 0, 0, false, {false, false, false}},
+                        {0, 0, 0, true, {true, true, true}}}) {
+    Params p;
+    p.drive = c.drive;
+    p.k1 = c.k1;
+    p.k2 = c.k2;
+    const Plan plan = make_plan(p, c.observed);
+    const std::array<bool, 3> found{plan.has(Part::exposure), plan.has(Part::owners),
+                                    plan.has(Part::pairs)};
+    EXPECT_EQ(found, c.expected) << c.drive << ' ' << c.k1 << ' ' << c.k2 << ' ' << c.observed;
+  }
+}
+
+TEST(Plan, PartsAreListedInTheOrderOfTheirStages) {
+  for (int i = 1; i < kPartCount; ++i) {
+    EXPECT_LE(stage_of(static_cast<Part>(i - 1)), stage_of(static_cast<Part>(i)));
+    EXPECT_FALSE(part_name(static_cast<Part>(i)).empty());
+  }
+}
+
+TEST(Plan, EveryDecisionHasAReason) {
   for (const int pups : {0, 1, 12}) {
     for (const double drive : {0.0, 1.0}) {
       Params p;
       p.pups = pups;
       p.drive = drive;
-      const auto stages = explain_plan(p, false);
       const Plan plan = make_plan(p, false);
-      ASSERT_EQ(stages.size(), static_cast<std::size_t>(kStageCount));
-      for (const PlannedStage& stage : stages) {
-        EXPECT_FALSE(stage.reason.empty());
-        EXPECT_EQ(stage.needed, plan.has(stage.stage));
+      Plan explained;
+      int stages = 0;
+      for (const Decision& decision : explain_plan(p, false)) {
+        EXPECT_FALSE(decision.reason.empty());
+        if (!decision.part) {
+          EXPECT_EQ(decision.stage, static_cast<Stage>(stages++));
+          if (decision.needed) explained.add(decision.stage);
+        } else {
+          EXPECT_EQ(decision.stage, stage_of(*decision.part));
+          EXPECT_TRUE(plan.has(decision.stage));
+          if (decision.needed) explained.add(*decision.part);
+        }
       }
+      EXPECT_EQ(stages, kStageCount);
+      EXPECT_EQ(explained, plan);
     }
   }
+}
+
+TEST(Plan, AWholeStageHasThePartsThatTheSceneWouldNeed) {
+  Params p;
+  p.alpha = p.beta = 0;
+  const Plan match = whole_stage(Stage::shape_match, p, false);
+  EXPECT_TRUE(match.has(Stage::shape_match));
+  EXPECT_TRUE(match.has(Part::rotation));
+  EXPECT_FALSE(match.has(Part::quadratic));
+  EXPECT_FALSE(match.has(Stage::predict));
 }
 
 /// Counts how often each stage runs.
@@ -86,13 +144,15 @@ TEST(Plan, JoinedHasWhatEitherHas) {
   EXPECT_EQ(joined(plan, {}), plan);
   Plan more;
   more.add(Stage::steering);
-  more.quadratic = true;
+  more.add(Part::turn);
+  more.add(Part::quadratic);
   const Plan both = joined(plan, more);
   EXPECT_TRUE(both.has(Stage::steering));
   EXPECT_TRUE(both.has(Stage::contact));
   EXPECT_FALSE(both.has(Stage::heat));
-  EXPECT_TRUE(both.quadratic);
-  EXPECT_TRUE(both.afferents) << "steering reads them";
+  EXPECT_TRUE(both.has(Part::quadratic));
+  EXPECT_TRUE(both.has(Part::exposure) && both.has(Part::owners)) << "a turn reads them";
+  EXPECT_FALSE(both.has(Part::pairs));
 }
 
 TEST(Plan, PartsOfAStageThatIsOutAreOutToo) {
@@ -100,7 +160,10 @@ TEST(Plan, PartsOfAStageThatIsOutAreOutToo) {
   p.pups = 1;
   p.alpha = 0;
   Plan more;
-  more.quadratic = more.afferents = true;
+  for (const Part part : {Part::exposure, Part::owners, Part::pairs, Part::turn, Part::rotation,
+                          Part::quadratic, Part::mean_temperature}) {
+    if (stage_of(part) != Stage::heat) more.add(part);
+  }
   EXPECT_EQ(joined(make_plan(p, true), more), make_plan(p, true));
 }
 
@@ -116,112 +179,183 @@ void PrintTo(const Omission& omission, std::ostream* out) {
   *out << omission.name;
 }
 
-void all_stages(Plan& plan) {
-  plan.needed.fill(true);
-  plan.quadratic = plan.afferents = true;
+void everything(Plan& plan) {
+  plan.stages.fill(true);
+  plan.parts.fill(true);
 }
-void contact(Plan& plan) {
-  plan.add(Stage::contact);
-  plan.afferents = true;
+
+/// Forces one stage, with all parts of it that `which` names.
+std::function<void(Plan&)> stage(Stage forced, std::vector<Part> parts = {}) {
+  return [=](Plan& plan) {
+    plan.add(forced);
+    for (const Part part : parts) plan.add(part);
+  };
 }
-void steering(Plan& plan) {
-  plan.add(Stage::steering);
+
+std::function<void(Plan&)> part(Part forced) {
+  return [=](Plan& plan) { plan.add(forced); };
 }
-void heat(Plan& plan) {
-  plan.add(Stage::heat);
-}
-void quadratic(Plan& plan) {
-  plan.quadratic = true;
-}
-void shape_match(Plan& plan) {
-  plan.add(Stage::shape_match);
-}
-void all_of_shape_match(Plan& plan) {
-  plan.add(Stage::shape_match);
-  plan.quadratic = true;
-}
+
+const auto kContact = stage(Stage::contact, {Part::exposure, Part::owners, Part::pairs});
+const auto kSteering = stage(Stage::steering, {Part::turn});
+const auto kHeat = stage(Stage::heat, {Part::mean_temperature});
+const auto kShapeMatch = stage(Stage::shape_match, {Part::rotation});
+const auto kAllOfShapeMatch = stage(Stage::shape_match, {Part::rotation, Part::quadratic});
 
 // Every reason of plan.cpp, with the settings that a stage behaves differently under.
 const std::vector<Omission> kOmissions{
-    {"no_pup", [](Params& p) { p.pups = 0; }, all_stages},
-    {"one_pup_contact", [](Params& p) { p.pups = 1; }, contact},
-    {"one_pup_steering", [](Params& p) { p.pups = 1; }, steering},
-    {"one_pup_all", [](Params& p) { p.pups = 1; }, all_stages},
+    {"no_pup", [](Params& p) { p.pups = 0; }, everything},
+    {"one_pup_contact", [](Params& p) { p.pups = 1; }, kContact},
+    {"one_pup_steering", [](Params& p) { p.pups = 1; }, kSteering},
+    {"one_pup_all", [](Params& p) { p.pups = 1; }, everything},
     {"one_pup_by_its_body",
      [](Params& p) {
        p.pups = 1;
        p.heading = Heading::body;
      },
-     all_stages},
-    {"no_drive", [](Params& p) { p.drive = 0; }, steering, false},
+     everything},
+    {"no_drive", [](Params& p) { p.drive = 0; }, kSteering, false},
     {"no_drive_by_the_body",
      [](Params& p) {
        p.drive = 0;
        p.heading = Heading::body;
      },
-     steering, false},
-    {"no_sensitivity", [](Params& p) { p.sigma = 0; }, steering},
-    {"no_gain", [](Params& p) { p.v = 0; }, steering},
+     kSteering, false},
+    {"no_sensitivity", [](Params& p) { p.sigma = 0; }, kSteering},
+    {"no_gain", [](Params& p) { p.v = 0; }, kSteering},
     {"no_gain_extreme",
      [](Params& p) {
        p.v = p.k1 = p.k2 = p.g = 0;
        p.ta = -1.7e308;
        p.tb0 = 1.7e308;
      },
-     steering},
-    {"no_heat", [](Params& p) { p.k1 = p.k2 = p.g = 0; }, heat},
+     kSteering},
+    {"no_heat", [](Params& p) { p.k1 = p.k2 = p.g = 0; }, kHeat},
     {"no_heat_by_euler",
      [](Params& p) {
        p.k1 = p.k2 = p.g = 0;
        p.heat = HeatRule::euler;
      },
-     heat},
+     kHeat},
     {"no_heat_extreme",
      [](Params& p) {
        p.k1 = p.k2 = p.g = 0;
        p.ta = -1.7e308;
        p.tb0 = 1.7e308;
      },
-     heat},
-    {"rigid", [](Params& p) { p.beta = 0; }, quadratic},
+     kHeat},
+    {"rigid", [](Params& p) { p.beta = 0; }, part(Part::quadratic)},
     {"stiff_and_rigid",
      [](Params& p) {
        p.alpha = 1;
        p.beta = 0;
      },
-     quadratic},
+     part(Part::quadratic)},
     {"rigid_in_finer_steps",
      [](Params& p) {
        p.beta = 0;
        p.dt = 0.004;
        p.refinement = Refinement::consistent;
      },
-     quadratic},
+     part(Part::quadratic)},
     {"no_goals_in_finer_steps",
      [](Params& p) {
        p.alpha = 0;
        p.dt = 0.004;
        p.refinement = Refinement::consistent;
      },
-     all_of_shape_match},
-    {"no_goals", [](Params& p) { p.alpha = 0; }, shape_match},
-    {"no_goals_quadratic", [](Params& p) { p.alpha = 0; }, all_of_shape_match},
+     kAllOfShapeMatch},
+    {"no_goals", [](Params& p) { p.alpha = 0; }, kShapeMatch},
+    {"no_goals_quadratic", [](Params& p) { p.alpha = 0; }, kAllOfShapeMatch},
     {"no_goals_rigid",
      [](Params& p) {
        p.alpha = 0;
        p.beta = 0;
      },
-     all_of_shape_match},
+     kAllOfShapeMatch},
     {"no_goals_explicit",
      [](Params& p) {
        p.alpha = 0;
        p.integrator = Integrator::explicit_;
      },
-     all_of_shape_match},
-    {"nobody_asks_who_touches", [](Params& p) { p.drive = p.k1 = p.k2 = 0; },
-     [](Plan& plan) { plan.afferents = true; }},
+     kAllOfShapeMatch},
+    {"nobody_reads_exposure", [](Params& p) { p.drive = p.k1 = p.k2 = 0; }, part(Part::exposure)},
+    {"nobody_reads_owners", [](Params& p) { p.drive = p.k2 = 0; }, part(Part::owners)},
+    {"nobody_reads_pairs", [](Params&) {}, part(Part::pairs)},
+    {"nobody_reads_pairs_of_means", [](Params& p) { p.contact = ContactRule::mean; },
+     part(Part::pairs)},
+    {"nobody_reads_owners_of_sums",
+     [](Params& p) {
+       p.drive = p.k2 = 0;
+       p.contact = ContactRule::sum;
+     },
+     part(Part::owners)},
+    {"no_sensitivity_by_the_body",
+     [](Params& p) {
+       p.sigma = 0;
+       p.heading = Heading::body;
+     },
+     part(Part::turn)},
+    {"no_gain_by_the_body",
+     [](Params& p) {
+       p.v = 0;
+       p.heading = Heading::body;
+     },
+     part(Part::turn)},
+    {"no_gain_by_the_body_extreme",
+     [](Params& p) {
+       p.v = p.k1 = p.k2 = p.g = 0;
+       p.ta = -1.7e308;
+       p.tb0 = 1.7e308;
+       p.heading = Heading::body;
+     },
+     part(Part::turn)},
+    {"one_pup_by_its_body_turn",
+     [](Params& p) {
+       p.pups = 1;
+       p.heading = Heading::body;
+     },
+     part(Part::turn)},
+    {"no_heat_between_pups", [](Params& p) { p.k2 = 0; }, part(Part::mean_temperature)},
+    {"no_heat_between_pups_by_euler",
+     [](Params& p) {
+       p.k2 = 0;
+       p.heat = HeatRule::euler;
+     },
+     part(Part::mean_temperature)},
+    {"no_heat_between_pups_extreme",
+     [](Params& p) {
+       p.k2 = p.g = 0;
+       p.k1 = 1e160;
+       p.ta = -1.7e308;
+       p.tb0 = 1.7e308;
+     },
+     part(Part::mean_temperature)},
+    {"one_pup_heat", [](Params& p) { p.pups = 1; }, part(Part::mean_temperature)},
+    {"thermogenesis_alone", [](Params& p) { p.k1 = p.k2 = 0; }, part(Part::mean_temperature)},
+    {"free", [](Params& p) { p.beta = 1; }, part(Part::rotation)},
+    {"free_and_stiff",
+     [](Params& p) {
+       p.beta = 1;
+       p.alpha = 1;
+     },
+     part(Part::rotation)},
+    {"free_in_finer_steps",
+     [](Params& p) {
+       p.beta = 1;
+       p.dt = 0.004;
+       p.refinement = Refinement::consistent;
+     },
+     part(Part::rotation)},
+    {"free_explicit",
+     [](Params& p) {
+       p.beta = 1;
+       p.alpha = 0.1;
+       p.integrator = Integrator::explicit_;
+     },
+     part(Part::rotation)},
     {"a_quiet_rigid_litter", [](Params& p) { p.drive = p.k1 = p.k2 = p.g = p.beta = 0; },
-     all_stages, false},
+     everything, false},
 };
 
 std::vector<std::uint64_t> bits_of(std::span<const double> values) {
@@ -279,7 +413,7 @@ bool same_bits_when_forced(const Params& p, int steps) {
   for (int pup = 0; pup < p.pups; ++pup) lean.set_body_temperature(pup, 0.5 - 0.1 * pup);
   Simulation forced(lean);
   Plan more;
-  all_stages(more);
+  everything(more);
   forced.force_plan(more);
   lean.run(steps);
   forced.run(steps);
@@ -307,8 +441,53 @@ TEST(Plan, WhateverIsSwitchedOffLeavingOutChangesNoBit) {
     for (std::size_t i = 0; i < std::size(switches); ++i) {
       if ((off >> i & 1) != 0) p.*switches[i] = 0;
     }
+    if (off % 7 == 0 && p.beta > 0) p.beta = 1;
     EXPECT_TRUE(same_bits_when_forced(p, 150)) << "switches off: " << off;
   }
+}
+
+// A body at rest in line with the axes has zeros in its fit, of either sign.
+TEST(Plan, GoalsOfAFreeBodyHaveTheSameBitsWhateverItsRotation) {
+  const Eigen::Matrix3d turned = -Eigen::Matrix3d::Identity();
+  for (const double zero : {0.0, -0.0}) {
+    ModeMatrix fit = ModeMatrix::Constant(zero);
+    fit(0, 1) = fit(1, 2) = 1, fit(2, 3) = -1;
+    const ModeMatrix with = goal_modes(fit, turned, 1, 1);
+    const ModeMatrix without = goal_modes(fit, Eigen::Matrix3d::Zero(), 1, 1);
+    EXPECT_EQ(bits_of({with.data(), 27}), bits_of({without.data(), 27}));
+  }
+}
+
+TEST(Plan, ObservingCanChangeBetweenAnyTwoSteps) {
+  Params p;
+  p.ta = 0.2;
+  Simulation watched(p), now_and_then(p);
+  for (int step = 0; step < 400; ++step) {
+    const bool look = step % 7 == 3 || step % 2 == 0;
+    now_and_then.set_observed(look);
+    EXPECT_EQ(now_and_then.plan().has(Part::pairs), look);
+    watched.step();
+    now_and_then.step();
+    ASSERT_EQ(watched.hash(), now_and_then.hash());
+    if (!look) continue;
+    const Snapshot a = watched.snapshot(), b = now_and_then.snapshot();
+    ASSERT_EQ(a.touching, b.touching) << step;
+    ASSERT_EQ(a.touched, b.touched) << step;
+    ASSERT_EQ(bits_of(a.exposed), bits_of(b.exposed)) << step;
+  }
+  EXPECT_FALSE(watched.touching().empty());
+}
+
+TEST(Plan, WhatNobodyReadsStaysAsItWas) {
+  Params p;
+  p.ta = 0.2;
+  Simulation s(p);
+  s.set_observed(false);
+  s.run(400);
+  EXPECT_TRUE(s.touching().empty()) << "the list of pairs was made though nobody asked";
+  s.set_observed(true);
+  s.step();
+  EXPECT_FALSE(s.touching().empty());
 }
 
 TEST(Plan, ForcingEndsWithAnEmptyPlanAndOutlivesNewParameters) {

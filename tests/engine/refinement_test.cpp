@@ -165,7 +165,7 @@ struct FreeBody {
   }
   void step(const StepBody& body) {
     predict(params, state, 0);
-    match_shape(params, body, params.beta > 0, cloud, state, 0);
+    match_shape(params, body, {params.beta > 0, true}, cloud, state, 0);
   }
   Eigen::Vector3d position(int i) const { return {state.x[i], state.y[i], state.z[i]}; }
   Eigen::Vector3d velocity(int i) const { return {state.vx[i], state.vy[i], state.vz[i]}; }

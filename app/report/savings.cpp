@@ -303,13 +303,15 @@ std::vector<io::Row> savings_rows(const Savings& savings) {
 
 std::vector<std::string> savings_notes(const Savings& savings) {
   std::vector<std::string> notes;
-  char text[600];
+  char text[800];
   std::snprintf(
       text, sizeof text,
       "Medians over steps %lld to %lld, %s, of runs that take turns every few steps; "
       "reading the clock adds %.2f µs to each. Every other step is timed as a whole, which can "
       "take less than its stages do one by one; its forced figure is with all parts at once, and "
-      "what it saved is the median difference, of which a percent or two of the step is noise.",
+      "what it saved is the median difference, of which a percent or two of the step is noise. "
+      "What a part of a stage saved is the median difference of the stage; less than some percent "
+      "of that is noise.",
       static_cast<long long>(savings.first), static_cast<long long>(savings.last),
       threads_words(savings.threads).c_str(), savings.clock);
   notes.emplace_back(text);

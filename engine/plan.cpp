@@ -17,10 +17,10 @@ struct PartRow {
 
 constexpr PartRow kParts[kPartCount] = {
     {Part::exposure, Stage::contact, "exposed share"},
-    {Part::owners, Stage::contact, "whom points touch"},
+    {Part::owners, Stage::contact, "touched pups"},
     {Part::pairs, Stage::contact, "touching pairs"},
     {Part::turn, Stage::steering, "turn"},
-    {Part::mean_temperature, Stage::heat, "mean touched temperature"},
+    {Part::mean_temperature, Stage::heat, "mean T_c"},
     {Part::rotation, Stage::shape_match, "rotation"},
     {Part::quadratic, Stage::shape_match, "quadratic terms"},
 };

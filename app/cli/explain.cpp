@@ -102,7 +102,7 @@ std::string costs_words(const Costs& costs, const Params& params) {
 
 /// A row of the table, its reason on as many lines as it takes.
 void add_row(std::vector<io::Row>& rows, io::Row row, const std::string& reason) {
-  constexpr std::size_t kReasonWidth = 44;  // with the columns before it 100 characters
+  constexpr std::size_t kReasonWidth = 38;  // with the columns before it 100 characters
   for (const std::string& line : io::wrapped(reason, kReasonWidth)) {
     row.push_back(line);
     rows.push_back(row);

@@ -37,6 +37,20 @@ TEST_F(CliCheckpoint, ASplitRunGivesTheRowsOfAWholeOne) {
   EXPECT_THAT(whole, EndsWith(from_51));
 }
 
+TEST_F(CliCheckpoint, WhoTouchesWhomGoesOnFromARunThatNobodyWatched) {
+  // So small an arena that they lie on each other: groups that are there before and after.
+  const auto crowded = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"--set", "arena_radius=0.4"});
+    return small(more);
+  };
+  ASSERT_EQ(run(crowded({"--steps", "210", "--csv", "whole.csv", "--quiet"})).code, 0);
+  ASSERT_EQ(run(crowded({"--steps", "200", "--checkpoint", "c.h5", "--quiet"})).code, 0);
+  ASSERT_EQ(run({"--from", "c.h5", "--steps", "210", "--csv", "second.csv", "--quiet"}).code, 0);
+  const std::string rows = test::contents(scratch_.path("second.csv"));
+  EXPECT_THAT(test::contents(scratch_.path("whole.csv")),
+              EndsWith(rows.substr(rows.find("\n201,"))));
+}
+
 TEST_F(CliCheckpoint, ParametersMayChangeButNotTheLitter) {
   ASSERT_EQ(run(small({"--steps", "20", "--checkpoint", "c.h5", "--quiet"})).code, 0);
   EXPECT_EQ(run({"--from", "c.h5", "--steps", "30", "--set", "ta=0.9", "--quiet"}).code, 0);

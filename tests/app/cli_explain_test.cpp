@@ -59,6 +59,19 @@ TEST_F(CliExplain, TellsWhichStagesAreInAndWhy) {
   EXPECT_LE(longest_line(outcome.out), 100u);
 }
 
+TEST_F(CliExplain, TellsWhichPartsOfAStageAreOutAndWhy) {
+  const Outcome outcome =
+      pupflow({"explain", "--set", "heading=body", "--set", "v=0", "--set", "k2=0", "--set",
+               "beta=1", "--set", "face_points=3", "--after", "3", "--quiet"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, ContainsRegex("\nsteering +yes +[0-9.]+ +[#.]+ +[a-z]"));
+  EXPECT_THAT(outcome.out, ContainsRegex("\n- turn +no +- +v = 0: nobody turns\n"));
+  EXPECT_THAT(outcome.out, ContainsRegex("\n- mean T_c +no +- +k2 = 0: "));
+  EXPECT_THAT(outcome.out, ContainsRegex("\n- rotation +no +- +beta = 1: "));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("\n- quadratic"))) << "it is needed";
+  EXPECT_LE(longest_line(outcome.out), 100u);
+}
+
 TEST_F(CliExplain, MeasuresThatWhatIsLeftOutCostsNothingAndChangesNothing) {
   const std::string single = measured("single");
   EXPECT_THAT(single, ContainsRegex(left_out("contact")));

@@ -43,7 +43,7 @@ const std::vector<Case> kCases{
     {"paper", [] { return shipped("paper"); }, {"touching pairs", "observables"}},
     {"single",
      [] { return shipped("single"); },
-     {"contact", "steering", "mean touched temperature", "observables"}},
+     {"contact", "steering", "mean T_c", "observables"}},
     {"rigid",
      [] { return shipped("rigid"); },
      {"touching pairs", "quadratic terms", "observables"}},
@@ -59,7 +59,7 @@ const std::vector<Case> kCases{
        p.precision = Precision::float_;
        return p;
      },
-     {"exposed share", "whom points touch", "touching pairs", "steering", "heat", "observables"}},
+     {"exposed share", "touched pups", "touching pairs", "steering", "heat", "observables"}},
     {"no_gain_by_the_body",
      [] {
        Params p;
@@ -74,7 +74,7 @@ const std::vector<Case> kCases{
        p.k2 = 0;
        return p;
      },
-     {"touching pairs", "mean touched temperature", "observables"}},
+     {"touching pairs", "mean T_c", "observables"}},
     {"free",
      [] {
        Params p;

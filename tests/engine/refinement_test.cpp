@@ -252,6 +252,26 @@ TEST(Refinement, AStepIsDampingThenPredictionThenMatching) {
   }
 }
 
+TEST(Refinement, HasTheSameBitsForEveryInstructionSet) {
+  for (const Precision precision : {Precision::float_, Precision::double_}) {
+    for (const double beta : {0.0, 0.5}) {
+      Params p;
+      p.pups = 4;
+      p.beta = beta;
+      p.dt = 0.005;
+      p.precision = precision;
+      p.refinement = Refinement::consistent;
+      Simulation expected(p, InstructionSet::baseline);
+      expected.run(300);
+      for (const InstructionSet set : supported_instruction_sets()) {
+        Simulation other(p, set);
+        other.run(300);
+        EXPECT_EQ(other.hash(), expected.hash()) << instruction_set_name(set);
+      }
+    }
+  }
+}
+
 TEST(Refinement, RefusesWhatHasNoFinerForm) {
   Params p;
   p.refinement = Refinement::consistent;

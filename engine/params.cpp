@@ -163,9 +163,11 @@ constexpr std::array kTable{
         {"start", "", "start layout", "", "litter", "column: Wilson 2017",
          "column: dropped one above the other at the centre; carpet: laid out over "
          "the floor, for many pups."}),
-    row<&Params::start_spread>(Effect::restart, {0, 1e6, 0, 2},
-                               {"start_spread", "", "start spread", "length", "litter", kPaper,
-                                "Half-width of the drop column in x and y."}),
+    row<&Params::start_spread>(
+        Effect::restart, {0, 1e6, 0, 1.4},
+        {"start_spread", "", "start spread", "length", "litter", kPaper,
+         "Half-width of the drop column in x and y; at most r_arena / √2, for all pups to "
+         "start inside."}),
     row<&Params::dt>(Effect::next_step, {0, 1e3, 0.001, 0.05, true, true},
                      {"dt", "h", "time step", "s", "run", kPaper,
                       "Length of a step. Rigidity acts per step, so 0.01 is part of the model."}),
@@ -319,6 +321,13 @@ std::vector<Problem> check(const Params& params) {
         {"arena_radius",
          "arena_radius = " + number_text(params.arena_radius) +
              ": arena radius must exceed pup_radius + point_radius = " + number_text(reach)});
+  } else if (params.start == Start::column && 2 * params.start_spread * params.start_spread >
+                                                  params.arena_radius * params.arena_radius) {
+    problems.push_back(
+        {"start_spread", "start_spread = " + number_text(params.start_spread) +
+                             ": a pup may start outside the arena; start spread must be at most "
+                             "arena_radius / sqrt(2) = " +
+                             number_text(params.arena_radius / std::sqrt(2.0))});
   }
   // Rounding moves a body's mean by some 4e-9 in a step; over dt that is a velocity, and from here
   // on an acceleration like the drive's.

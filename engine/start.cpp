@@ -103,12 +103,14 @@ Vector3d turned(const Eigen::Matrix3d& rotation, const Vector3d& v) {
 }
 
 std::vector<Vector3d> column(const Params& params) {
+  const double reach = params.pup_radius + params.point_radius;
+  const double spacing = std::max(1.0, 2 * reach);
   std::vector<Vector3d> centres;
   for (int j = 0; j < params.pups; ++j) {
     Rng random = stream(params, j, Draw::place);
     const double x = random.uniform(-params.start_spread, params.start_spread);
     const double y = random.uniform(-params.start_spread, params.start_spread);
-    centres.emplace_back(x, y, j + params.pup_radius + params.point_radius);
+    centres.emplace_back(x, y, j * spacing + params.pup_radius + params.point_radius);
   }
   return centres;
 }

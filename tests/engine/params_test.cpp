@@ -6,6 +6,8 @@
 #include <limits>
 #include <set>
 
+#include "engine/simulation.h"
+
 namespace pupflow {
 namespace {
 
@@ -103,6 +105,23 @@ TEST(Params, AllProblemsAreListed) {
   EXPECT_EQ(problems[3].parameter, "arena_radius");
   const InvalidParams error(problems);
   EXPECT_EQ(std::string(error.what()).find(problems[0].message), 0u);
+}
+
+TEST(Params, AColumnThatReachesBeyondTheWallIsRefused) {
+  Params p;
+  p.start_spread = 1.4142;
+  EXPECT_TRUE(check(p).empty());
+  p.start_spread = 1.4143;
+  const auto problems = check(p);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].parameter, "start_spread");
+  EXPECT_EQ(
+      problems[0].message,
+      "start_spread = 1.4143: a pup may start outside the arena; start spread must be at most "
+      "arena_radius / sqrt(2) = 1.414213562373095");
+  EXPECT_THROW(Simulation{p}, InvalidParams);
+  p.start = Start::carpet;  // does not use it
+  EXPECT_TRUE(check(p).empty());
 }
 
 TEST(Params, WhatDefinesTheLitterNeedsARestart) {

@@ -23,6 +23,15 @@ TEST(Start, ColumnIsThePapers) {
   EXPECT_NE(centres[0].x(), centres[1].x());
 }
 
+TEST(Start, LargePupsHangFurtherApart) {
+  Params p;
+  p.pup_radius = 2.5;
+  p.point_radius = 0.5;
+  p.arena_radius = 20;
+  const auto centres = start_centres(p);
+  for (int j = 0; j < 12; ++j) EXPECT_DOUBLE_EQ(centres[j].z(), 6 * j + 3);
+}
+
 TEST(Start, SeedFixesItAndPupsDrawApart) {
   Params a, b;
   b.seed = 2;

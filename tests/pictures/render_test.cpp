@@ -121,6 +121,7 @@ TEST(Render, TheFrameTakesInTheWholeLitter) {
   job.params.start = Start::carpet;
   EXPECT_GT(rows_above_the_litter(0), 0);  // ten layers
   job.params.start = Start::column;
+  job.params.start_spread = 0.2;
   EXPECT_GT(rows_above_the_litter(1500), 0);  // the heap after the fall
   job.params.arena_radius = 2;
   job.params.gravity = 0;

@@ -42,6 +42,8 @@ TEST_P(RangeEnds, StepToAFiniteStateOrANamedStatus) {
     row.set(p, end);
     if (row.name == "pup_radius" || row.name == "point_radius") p.arena_radius = 4e6;
     if (row.name == "arena_radius") p.arena_radius = std::max(end, 0.3 + 1e-12);
+    if (row.name == "arena_radius") p.start_spread = std::min(p.start_spread, 0.7 * p.arena_radius);
+    if (row.name == "start_spread") p.arena_radius = std::max(p.arena_radius, 1.5 * end);
     if (row.name == "dt" && p.precision == Precision::float_) p.dt = std::max(p.dt, 1e-4);
     ASSERT_TRUE(check(p).empty()) << row.name << " = " << end << ": " << check(p)[0].message;
     const int steps = p.pups > 1000 ? 20 : 100;

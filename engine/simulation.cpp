@@ -9,6 +9,7 @@
 #include "engine/elementary.h"
 #include "engine/health.h"
 #include "engine/start.h"
+#include "engine/watch.h"
 
 namespace pupflow {
 
@@ -30,6 +31,8 @@ class Simulation::Model {
   virtual std::span<const double> exposed() const = 0;
   virtual std::span<const int> touched() const = 0;
   virtual std::span<const TouchingPair> touching() const = 0;
+  virtual const Warnings& warnings() const = 0;
+  virtual void set_by_hand() = 0;  // something was, so the next step is judged as a first one
   virtual std::int64_t step() const = 0;
   virtual Clock& clock() = 0;
   virtual int pups() const = 0;
@@ -70,7 +73,12 @@ class Simulation::LitterModel final : public Simulation::Model {
       if (!found.ok()) return found;
     }
     placed_.clear();
-    return step_litter(params, plan, *cloud_, state_, workspace_, counters, listener);
+    if (!watched_) watch_.begin(params, state_);
+    watched_ = true;
+    const Status result =
+        step_litter(params, plan, *cloud_, state_, workspace_, counters, listener);
+    if (result.ok()) watch_.look(params, state_);
+    return result;
   }
 
   void set_threads(int threads) override { workspace_.team = Team(threads); }
@@ -99,6 +107,7 @@ class Simulation::LitterModel final : public Simulation::Model {
     }
     update_bounds(state_, pup);
     placed_.push_back(pup);
+    set_by_hand();
   }
 
   Eigen::Vector3d centre(int pup) const override {
@@ -114,6 +123,8 @@ class Simulation::LitterModel final : public Simulation::Model {
   std::span<const double> exposed() const override { return state_.exposed; }
   std::span<const int> touched() const override { return state_.touched; }
   std::span<const TouchingPair> touching() const override { return state_.touching; }
+  const Warnings& warnings() const override { return watch_.warnings(); }
+  void set_by_hand() override { watched_ = false; }
   std::int64_t step() const override { return state_.step; }
   Clock& clock() override { return state_.clock; }
   int pups() const override { return state_.pups; }
@@ -152,6 +163,8 @@ class Simulation::LitterModel final : public Simulation::Model {
   std::shared_ptr<const Cloud<Real>> cloud_;  // never changes, so copies share it
   State<Real> state_;
   Workspace<Real> workspace_;
+  Watch<Real> watch_;
+  bool watched_ = false;
   std::vector<int> placed_;  // pups set by hand since the last step, whose numbers nobody has seen
 };
 
@@ -241,6 +254,7 @@ void Simulation::set_params(const Params& params) {
   if (params.dt != model_->params.dt) model_->clock() = {steps_done(), time()};
   model_->params = params;
   model_->replan();
+  model_->set_by_hand();
 }
 
 void Simulation::set_observed(bool observed) {
@@ -278,6 +292,9 @@ Status Simulation::run(std::int64_t count) {
 
 const Status& Simulation::status() const {
   return model_->status;
+}
+std::span<const Warning> Simulation::warnings() const {
+  return model_->warnings().all();
 }
 std::int64_t Simulation::steps_done() const {
   return model_->step();

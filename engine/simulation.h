@@ -13,6 +13,7 @@
 #include "engine/state.h"
 #include "engine/status.h"
 #include "engine/step.h"
+#include "engine/warning.h"
 
 namespace pupflow {
 
@@ -71,6 +72,10 @@ class Simulation {
 
   /// The status of the last step.
   const Status& status() const;
+
+  /// Impossible states that all steps so far came to, the first of each kind, by step (warning.h).
+  /// They change nothing. A copy keeps them; a simulation made from a snapshot begins without.
+  std::span<const Warning> warnings() const;
 
   std::int64_t steps_done() const;
   double time() const;  // model seconds

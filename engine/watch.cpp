@@ -36,12 +36,28 @@ double kinetic_energy(const State<Real>& state, int pup) {
   return energy;
 }
 
+/// Whether the boxes of all others are further than `distance` from that of `pup`, along an axis.
+template <class Real>
+bool is_alone(const State<Real>& state, int pup, double distance) {
+  const Bounds<Real>& box = state.bounds[pup];
+  for (int other = 0; other < state.pups; ++other) {
+    if (other == pup) continue;
+    bool near = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = std::max<double>(box.low[axis], state.bounds[other].low[axis]);
+      const double high = std::min<double>(box.high[axis], state.bounds[other].high[axis]);
+      near = near && low - high <= distance;
+    }
+    if (near) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 template <class Real>
 void Watch<Real>::begin(const Params& params, const State<Real>& state) {
   past_.assign(static_cast<std::size_t>(state.pups), {});
-  carried_.assign(past_.size(), 0);
   double energy = 0;
   for (int pup = 0; pup < state.pups; ++pup) {
     past_[pup].height = middle(state, pup, 2);
@@ -56,7 +72,6 @@ void Watch<Real>::begin(const Params& params, const State<Real>& state) {
   slow_steps_ = params.gravity > 0 ? static_cast<std::int64_t>(std::clamp<double>(
                                          std::ceil(steps), kLastingSteps, kManySteps))
                                    : 0;
-  if (slow_steps_ > 0) find_carried(params, state);  // makes room
 }
 
 template <class Real>
@@ -76,44 +91,19 @@ void Watch<Real>::look(const Params& params, const State<Real>& state) {
 }
 
 template <class Real>
-bool Watch<Real>::is_airborne(const Params& params, const State<Real>& state, int pup) const {
-  return static_cast<double>(state.bounds[pup].low[2]) > params.point_radius + params.pup_radius;
-}
-
-template <class Real>
 void Watch<Real>::look_for_hanging(const Params& params, const State<Real>& state) {
-  const auto odd = [&](int pup) {
-    return past_[pup].slow >= slow_steps_ && is_airborne(params, state, pup);
-  };
-  bool any = false;
-  for (int pup = 0; pup < state.pups; ++pup) {
-    if (!odd(pup)) past_[pup].held_up = false;
-    any = any || odd(pup);
+  for (Past& past : past_) past.touched = false;
+  for (const TouchingPair& pair : state.touching) {
+    past_[pair.first].touched = past_[pair.second].touched = true;
   }
-  if (!any || warnings_.has(Warning::Kind::hanging)) return;
-  find_carried(params, state);
+  const double floor = params.point_radius + params.pup_radius;
   for (int pup = 0; pup < state.pups; ++pup) {
-    const bool held_up = odd(pup) && !carried_[pup];
-    if (held_up && past_[pup].held_up) {
-      warnings_.add({Warning::Kind::hanging, state.step, pup});
-    }
-    past_[pup].held_up = held_up;
-  }
-}
-
-/// Marks who stands on the floor, or is near one who is marked.
-template <class Real>
-void Watch<Real>::find_carried(const Params& params, const State<Real>& state) {
-  for (int pup = 0; pup < state.pups; ++pup) carried_[pup] = !is_airborne(params, state, pup);
-  const double reach = params.pup_radius + 2 * params.point_radius;
-  const auto& pairs = near_.find(state.bounds, static_cast<Real>(reach));
-  for (bool more = true; more;) {
-    more = false;
-    for (const TouchingPair& pair : pairs) {
-      if (carried_[pair.first] == carried_[pair.second]) continue;
-      carried_[pair.first] = carried_[pair.second] = 1;
-      more = true;
-    }
+    Past& past = past_[pup];
+    const bool before = past.held_up;
+    past.held_up = past.slow >= slow_steps_ && !past.touched &&
+                   static_cast<double>(state.bounds[pup].low[2]) > floor &&
+                   is_alone(state, pup, params.pup_radius);
+    if (past.held_up && before) warnings_.add({Warning::Kind::hanging, state.step, pup});
   }
 }
 

@@ -20,7 +20,9 @@ std::optional<RunResult> run_to_end(const Params& params, const std::function<bo
     if (!simulation.step().ok()) break;
     if (counts) means.add(simulation, observer->observe(simulation));
   }
-  return RunResult{simulation.status(), means.means(), means.exposed_sd()};
+  RunResult result{simulation.status(), means.means(), means.exposed_sd(), {}};
+  for (const Warning& warning : simulation.warnings()) result.warnings.add(warning);
+  return result;
 }
 
 void run_ensemble(std::int64_t count, int threads,

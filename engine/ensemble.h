@@ -8,6 +8,7 @@
 #include "engine/metrics.h"
 #include "engine/params.h"
 #include "engine/status.h"
+#include "engine/warning.h"
 
 namespace pupflow {
 
@@ -16,6 +17,7 @@ struct RunResult {
   Status status;          // of the last step; when it is bad, the means are not to be used
   Observables means;      // over the steps after `discard`
   double exposed_sd = 0;  // standard deviation of a pup's A over time, mean over pups
+  Warnings warnings;      // that the steps taken came to
 };
 
 /// Runs `params.steps` steps, or to the first bad status. Looks at the observables only from where

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "app/cli/summary.h"
 #include "app/cli/verb.h"
@@ -40,8 +41,9 @@ struct Files {
     if (!options.checkpoint.empty()) io::refuse_existing(options.checkpoint, options.common.force);
   }
 
-  void finish(const std::string& ending) {
+  void finish(std::span<const Warning> warnings, const std::string& ending) {
     const auto close = [&](io::CsvFile& file) {
+      for (const Warning& warning : warnings) file.comment("warning: " + warning.message());
       if (!ending.empty()) file.comment("ended early: " + ending);
       file.commit();
     };
@@ -92,7 +94,7 @@ class Run {
       progress.update(simulation_.steps_done());
     }
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    files_.finish(ending());
+    files_.finish(simulation_.warnings(), ending());
     if (options_.checkpoint.empty() || !simulation_.status().ok()) return;
     io::write_checkpoint(options_.checkpoint, options_.common.force, simulation_.snapshot());
   }

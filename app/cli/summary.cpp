@@ -67,6 +67,8 @@ std::string run_summary(const std::string& title, const Simulation& simulation,
     text += format(": %.4g steps/s", static_cast<double>(done) / seconds);
   text += "\n" + means_text(simulation, means);
   text += "status  " + (simulation.status().ok() ? "fine" : simulation.status().message()) + "\n";
+  for (const Warning& warning : simulation.warnings())
+    text += "warning " + warning.message() + "\n";
   text += format("hash    %016" PRIx64 "\n", simulation.hash());
   return text;
 }

@@ -11,7 +11,8 @@ namespace pupflow::cli {
 /// A few words about the litter of `params`, e.g. for a first line.
 std::string litter_words(const Params& params);
 
-/// The run's means (or why there are none), status, hash and speed; `seconds` is the time it took.
+/// The run's means (or why there are none), status, warnings, hash and speed; `seconds` is the time
+/// it took.
 std::string run_summary(const std::string& title, const Simulation& simulation,
                         const RunMeans& means, double seconds);
 

@@ -85,6 +85,8 @@ void report_sweep(const study::Design& design, const study::SweepResult& result,
     if (transition) text += study::transition_text(design, *transition);
   }
   if (!result.note.empty()) text += result.note + "\n";
+  const std::string warnings = study::warnings_text(design, result.rows);
+  if (!warnings.empty()) text += "warning: " + warnings + "\n";
   if (!quiet) io::print(text);
   const std::string failures = study::failures_text(design, result.rows);
   if (!failures.empty()) throw io::Failure(io::ExitCode::bad_numbers, failures);

@@ -82,6 +82,7 @@ Summary summarise_point(const Design& design, std::int64_t point, const Row* row
       continue;
     }
     ++summary.runs;
+    summary.warned += rows[i].warned() ? 1 : 0;
     for (int c = 0; c < kObservables; ++c)
       values[static_cast<std::size_t>(c)].push_back(observable(rows[i], c));
   }
@@ -135,9 +136,11 @@ Row make_row(std::int64_t run, const RunResult& result) {
   row.run = run;
   row.means = result.means;
   row.exposed_sd = result.exposed_sd;
-  if (result.status.ok()) return row;
   row.status = result.status.message();
   std::replace(row.status.begin(), row.status.end(), ',', ';');
+  const std::string warnings = warnings_text(result.warnings.all());
+  if (!warnings.empty()) row.status += "; " + warnings;
+  if (result.status.ok()) return row;
   for (const Column& column : kColumns) column.of(row) = kNothing;
   return row;
 }
@@ -194,7 +197,7 @@ void write_summary(const std::string& path, const Design& design,
   std::string names = varied_names(design) + "runs";
   for (const Column& column : kColumns)
     names += std::string(",") + column.name + "," + column.name + "_sd";
-  file.write(names + ",susceptibility,failed\n");
+  file.write(names + ",susceptibility,failed,warned\n");
   for (const Summary& summary : summaries) {
     std::string line;
     for (std::size_t a = 0; a < summary.values.size(); ++a) {
@@ -204,7 +207,8 @@ void write_summary(const std::string& path, const Design& design,
     for (const Spread& spread : summary.observables) {
       line += "," + io::number_text(spread.mean) + "," + io::number_text(spread.sd);
     }
-    line += "," + io::number_text(summary.susceptibility) + "," + std::to_string(summary.failed);
+    line += "," + io::number_text(summary.susceptibility) + "," + std::to_string(summary.failed) +
+            "," + std::to_string(summary.warned);
     file.write(line + "\n");
   }
   file.commit();

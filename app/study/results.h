@@ -14,11 +14,12 @@ namespace pupflow::study {
 /// One finished run.
 struct Row {
   std::int64_t run = 0;         // its index in the design
-  std::string status = "fine";  // else what went wrong and where, without commas
+  std::string status = "fine";  // or what went wrong; then warnings; all without commas
   Observables means;
   double exposed_sd = 0;
 
-  bool fine() const { return status == "fine"; }
+  bool fine() const { return status == "fine" || warned(); }
+  bool warned() const { return status.starts_with("fine; "); }
 };
 
 Row make_row(std::int64_t run, const RunResult& result);
@@ -41,10 +42,11 @@ struct Spread {
   double mean, sd;
 };
 
-/// One grid point. Bad runs are counted and left out of everything else.
+/// One grid point. Bad runs are counted and left out of everything else; those with a warning are
+/// counted and left in.
 struct Summary {
   std::vector<double> values;  // of the varied parameters
-  std::int64_t runs = 0, failed = 0;
+  std::int64_t runs = 0, failed = 0, warned = 0;
   std::vector<Spread> observables;
   double susceptibility =
       0;  // |d<A>/dT_a| by central differences along ta; NaN when ta is not varied

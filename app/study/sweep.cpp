@@ -83,16 +83,29 @@ SweepResult run_sweep(const SweepJob& job) {
   return result;
 }
 
-std::string failures_text(const Design& design, const std::vector<Row>& rows) {
-  const auto bad =
-      std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.fine(); });
-  if (bad == 0) return {};
-  const auto first =
-      std::find_if(rows.begin(), rows.end(), [](const Row& row) { return !row.fine(); });
-  return std::to_string(bad) + " of " + std::to_string(rows.size()) +
-         " runs went wrong and are left out of the means; the first, run " +
+namespace {
+
+/// How many rows are `odd`, and the first of them; empty when none is.
+std::string count_text(const Design& design, const std::vector<Row>& rows, const char* what,
+                       bool (*odd)(const Row&)) {
+  const auto first = std::find_if(rows.begin(), rows.end(), odd);
+  if (first == rows.end()) return {};
+  return std::to_string(std::count_if(first, rows.end(), odd)) + " of " +
+         std::to_string(rows.size()) + " runs " + what + "; the first, run " +
          std::to_string(first->run) + " (seed " +
          std::to_string(run_seed(design.base.seed, first->run)) + "): " + first->status;
+}
+
+}  // namespace
+
+std::string failures_text(const Design& design, const std::vector<Row>& rows) {
+  return count_text(design, rows, "went wrong and are left out of the means",
+                    [](const Row& row) { return !row.fine(); });
+}
+
+std::string warnings_text(const Design& design, const std::vector<Row>& rows) {
+  return count_text(design, rows, "came to an impossible state and are part of the means",
+                    [](const Row& row) { return row.warned(); });
 }
 
 }  // namespace pupflow::study

@@ -37,4 +37,7 @@ SweepResult write_results(const std::string& folder, const Design& design, std::
 /// The first run that went wrong, and how many did, in one line; empty when all were fine.
 std::string failures_text(const Design& design, const std::vector<Row>& rows);
 
+/// The same of the runs that ended with a warning.
+std::string warnings_text(const Design& design, const std::vector<Row>& rows);
+
 }  // namespace pupflow::study

@@ -109,6 +109,22 @@ void draw_bad_status(const Area& arena, const Snapshot& snapshot, Controls& cont
   ImGui::PopStyleColor(2);
 }
 
+void draw_warnings(const Area& arena, const Snapshot& snapshot) {
+  if (snapshot.warnings.empty() || !snapshot.status.ok()) return;
+  const float em = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({arena.middle().x, arena.corner.y + em}, ImGuiCond_Always, {0.5f, 0});
+  ImGui::SetNextWindowBgAlpha(0.92f);
+  ImGui::Begin("warnings", nullptr, kFloating | ImGuiWindowFlags_NoInputs);
+  ImGui::PushStyleColor(ImGuiCol_Text, kBad);
+  ImGui::PushTextWrapPos(arena.size.x - 3 * em);
+  for (const Warning& warning : snapshot.warnings) {
+    ImGui::TextUnformatted(("Warning: " + warning.message()).c_str());
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::End();
+}
+
 void draw_message(const Area& arena, const std::string& text) {
   if (text.empty()) return;
   const float em = ImGui::GetFontSize();

@@ -31,6 +31,9 @@ void draw_help(const Area& arena, Controls& controls, const Fonts& fonts, TestEv
 void draw_bad_status(const Area& arena, const Snapshot& snapshot, Controls& controls,
                      const Fonts& fonts, TestEvents& events);
 
+/// A line for each warning at the top of the arena, while the numbers are good.
+void draw_warnings(const Area& arena, const Snapshot& snapshot);
+
 /// A line at the bottom of the arena.
 void draw_message(const Area& arena, const std::string& text);
 

@@ -114,6 +114,8 @@ void Session::fill(Snapshot& snapshot, bool with_hash) {
   snapshot.edited_at = edited_at_;
   snapshot.time = simulation_.time();
   snapshot.status = simulation_.status();
+  const auto warnings = simulation_.warnings();
+  snapshot.warnings.assign(warnings.begin(), warnings.end());
   snapshot.playing = playing_;
   snapshot.speed = speed_;
   snapshot.rejected = rejected_;

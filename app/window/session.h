@@ -46,6 +46,7 @@ struct Snapshot {
   std::int64_t edited_at = 0;  // the step after which parameters were last changed; 0: never
   double time = 0;             // model seconds
   Status status;
+  std::vector<Warning> warnings;
   bool playing = false;
   double speed = 1;                  // as asked for
   double steps_per_second = 0;       // as measured; 0 while at rest

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <sstream>
@@ -60,6 +61,10 @@ void TestEvents::snapshot(const Snapshot& snapshot) {
   }
   if (!snapshot.status.ok() && !bad_) say("bad " + snapshot.status.message());
   bad_ = !snapshot.status.ok();
+  warnings_ = std::min(warnings_, snapshot.warnings.size());  // a new litter has none
+  for (; warnings_ < snapshot.warnings.size(); ++warnings_) {
+    say("warning " + snapshot.warnings[warnings_].message());
+  }
 }
 
 void TestEvents::help(bool shown) {

@@ -20,6 +20,7 @@ namespace pupflow::window {
 ///   step N                at rest after every change, else now and then
 ///   hash N H              at rest: the simulation's hash after step N
 ///   bad MESSAGE           the status, when it is bad
+///   warning MESSAGE       a warning of the engine, when it is new
 ///   text on|off           whether a text field has the keyboard
 ///   help shown|hidden, camera AZIMUTH ELEVATION DISTANCE, screenshot PATH
 class TestEvents {
@@ -50,6 +51,7 @@ class TestEvents {
   std::optional<std::uint64_t> hash_;
   Clock::time_point step_said_{};
   bool bad_ = false;
+  std::size_t warnings_ = 0;
 };
 
 }  // namespace pupflow::window

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/io/provenance.h"
+#include "app/io/scene_file.h"
 #include "engine/metrics.h"
 #include "engine/simulation.h"
 #include "program.h"
@@ -185,6 +186,29 @@ TEST_F(CliRun, BadNumbersKeepTheRowsBefore) {
   const auto metrics = rows("m.csv");
   EXPECT_THAT(reason, HasSubstr("step " + std::to_string(metrics.size()) + ","));
   EXPECT_EQ(rows("p.csv").size(), 1 + 12 * (metrics.size() - 1));
+}
+
+TEST_F(CliRun, AWarningIsInTheSummaryAndTheLastComment) {
+  const Outcome outcome = pupflow({"run", "--set", "drive=60", "--set", "face_points=3", "--steps",
+                                   "200", "--csv", "m.csv", "--pups", "p.csv"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_THAT(outcome.out, HasSubstr("\nstatus  fine\nwarning outside the wall from step "));
+  EXPECT_THAT(outcome.out, HasSubstr("\nwarning hanging in the air from step "));
+  EXPECT_THAT(contents(scratch_.path("m.csv")),
+              HasSubstr("\n# warning: outside the wall from step"));
+  for (const char* name : {"m.csv", "p.csv"}) {
+    EXPECT_THAT(last_line(name), StartsWith("# warning: hanging in the air from step 150 pup "));
+  }
+}
+
+TEST_F(CliRun, ShippedScenesGiveNoWarning) {
+  for (const io::ShippedScene& scene : io::shipped_scenes()) {
+    const std::string name(scene.name);
+    const Outcome outcome = pupflow({"run", name, "--steps", "250", "--set", "face_points=3"});
+    EXPECT_EQ(outcome.code, 0) << name << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("status  fine\nhash")) << name;
+  }
 }
 
 TEST_F(CliRun, InterruptKeepsTheRowsDone) {

@@ -34,6 +34,13 @@ TEST_F(AJournal, HasWhatWasAddedWhenOpenedAgain) {
   EXPECT_EQ(journal.rows().at(4).means.mean_tb, 0.4);
 }
 
+TEST_F(AJournal, KeepsWarnings) {
+  Journal(path_, design_).add(test::warned_row(3, 1));
+  const Journal journal(path_, design_);
+  ASSERT_TRUE(journal.rows().contains(3));
+  EXPECT_EQ(journal.rows().at(3).status, test::warned_row(3, 1).status);
+}
+
 TEST_F(AJournal, DropsALineThatWasCutOffAnywhere) {
   const std::string whole = contents(path_);
   const std::size_t last = whole.rfind('\n', whole.size() - 2) + 1;

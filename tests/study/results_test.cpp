@@ -20,6 +20,7 @@ using pupflow::test::Scratch;
 using test::bad_row;
 using test::row_of;
 using test::small_design;
+using test::warned_row;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -51,6 +52,32 @@ TEST(RunRow, KeepsWhereARunWentWrongInOneCell) {
   ASSERT_TRUE(back);
   EXPECT_EQ(back->status, row.status);
   EXPECT_TRUE(std::isnan(back->means.flow));
+}
+
+TEST(RunRow, WithAWarningIsFineAndReadsBack) {
+  const Design design = small_design({"ta=0,1"}, 1);
+  const Row row = warned_row(1, 3);
+  EXPECT_TRUE(row.fine());
+  EXPECT_TRUE(row.warned());
+  EXPECT_FALSE(row_of(1, 3).warned());
+  EXPECT_FALSE(bad_row(1).warned());
+  EXPECT_EQ(row.status,
+            "fine; outside the wall from step 74 pup 4; hanging in the air from step 150 pup 2");
+  const std::string text = row_text(design, row);
+  const auto back = parse_row(design, 1, text);
+  ASSERT_TRUE(back);
+  EXPECT_TRUE(back->warned());
+  EXPECT_EQ(row_text(design, *back), text);
+}
+
+TEST(RunRow, ThatWentWrongNamesItsWarningsToo) {
+  RunResult result;
+  result.status = {Status::Kind::diverged, Stage::predict, 302, 0, 286};
+  result.warnings.add({Warning::Kind::gaining_energy, 185, 0});
+  const Row row = make_row(0, result);
+  EXPECT_FALSE(row.fine());
+  EXPECT_FALSE(row.warned());
+  EXPECT_THAT(row.status, ::testing::EndsWith("point 286; gaining energy from step 185 pup 0"));
 }
 
 TEST(RunRow, IsRefusedWhenDamagedOrOfAnotherRun) {
@@ -89,6 +116,15 @@ TEST(Summaries, HoldMeanAndSampleDeviationOfTheFineRuns) {
   EXPECT_DOUBLE_EQ(summaries[1].observables[0].mean, 5);
   EXPECT_TRUE(std::isnan(summaries[1].observables[0].sd));  // one run has no spread
   EXPECT_TRUE(std::isnan(summaries[0].susceptibility));     // ta is not varied
+}
+
+TEST(Summaries, CountRunsWithAWarningAmongTheFine) {
+  const std::vector<Summary> summaries = summarise(
+      small_design({"ta=0.5"}, 4), {row_of(0, 1), warned_row(1, 3), bad_row(2), warned_row(3, 5)});
+  EXPECT_EQ(summaries[0].runs, 3);
+  EXPECT_EQ(summaries[0].failed, 1);
+  EXPECT_EQ(summaries[0].warned, 2);
+  EXPECT_DOUBLE_EQ(summaries[0].observables[0].mean, 3);
 }
 
 TEST(Summaries, WithoutAFineRunHaveNoMean) {
@@ -164,9 +200,9 @@ TEST(SummaryFile, HasMeansDeviationsSusceptibilityAndFailures) {
   const std::string text = contents(path);
   EXPECT_THAT(text, HasSubstr("\nta,runs,mean_tb,mean_tb_sd,huddling,huddling_sd,groups,groups_sd,"
                               "largest,largest_sd,flow,flow_sd,membership_flow,membership_flow_sd,"
-                              "exposed_sd,exposed_sd_sd,susceptibility,failed\n"));
+                              "exposed_sd,exposed_sd_sd,susceptibility,failed,warned\n"));
   EXPECT_THAT(text, HasSubstr("\n0,2,2,1.4142135623730951,3,"));
-  EXPECT_THAT(text, HasSubstr("\n1,1,4,nan,5,nan,6,nan,7,nan,8,nan,9,nan,10,nan,2,1\n"));
+  EXPECT_THAT(text, HasSubstr("\n1,1,4,nan,5,nan,6,nan,7,nan,8,nan,9,nan,10,nan,2,1,0\n"));
 }
 
 }  // namespace

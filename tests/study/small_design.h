@@ -41,4 +41,14 @@ inline Row bad_row(std::int64_t run) {
   return make_row(run, result);
 }
 
+/// As `row_of`, but of a run in which pups stood outside the wall and then hung.
+inline Row warned_row(std::int64_t run, double value) {
+  RunResult result;
+  result.warnings.add({Warning::Kind::outside, 74, 4});
+  result.warnings.add({Warning::Kind::hanging, 150, 2});
+  Row row = row_of(run, value);
+  row.status = make_row(run, result).status;
+  return row;
+}
+
 }  // namespace pupflow::study::test

@@ -13,6 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
+using ::testing::StartsWith;
 
 class Sweep : public SweepProgram {};
 
@@ -124,6 +125,29 @@ TEST_F(Sweep, RecordsRunsThatGoWrongAndEndsWithThree) {
   EXPECT_EQ(summary[1].back(), "2");
   EXPECT_TRUE(std::filesystem::exists(path("s/sweep.png")));
   expect(3, words);  // also when it is only read again
+}
+
+TEST_F(Sweep, KeepsRunsWithAWarningAndSaysSo) {
+  const Outcome outcome = pupflow(
+      small("sweep", {"--vary", "drive=1,60", "--seeds", "2", "--steps", "200", "--out", "wall"}));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              HasSubstr("warning: 2 of 4 runs came to an impossible state and are part "
+                        "of the means; the first, run 2 (seed "));
+  const auto runs = rows_of(path("wall/runs.csv")), points = rows_of(path("wall/summary.csv"));
+  EXPECT_EQ(runs[0][2], "fine");
+  EXPECT_THAT(runs[2][2], StartsWith("fine; outside the wall from step "));
+  EXPECT_NE(runs[2][3], "nan");
+  EXPECT_EQ(points[0].back(), "0");
+  EXPECT_EQ(points[1].back(), "2");
+  EXPECT_EQ(points[1][1], "2");
+  expect(0, small("sweep", {"--vary", "drive=1,60", "--seeds", "2", "--steps", "200", "--shard",
+                            "1/2", "--out", "a"}));
+  expect(0, small("sweep", {"--vary", "drive=1,60", "--seeds", "2", "--steps", "200", "--shard",
+                            "2/2", "--out", "b"}));
+  expect(0, {"merge", "a", "b", "--out", "joined"});
+  EXPECT_EQ(contents(path("joined/runs.csv")), contents(path("wall/runs.csv")));
+  EXPECT_EQ(contents(path("joined/summary.csv")), contents(path("wall/summary.csv")));
 }
 
 TEST_F(Sweep, DrawsNothingWhenNoRunWasFine) {

@@ -272,6 +272,14 @@ TEST_F(Live, ABadStateSaysWhereAndWaitsForARestart) {
   EXPECT_EQ(await("step "), "0");
 }
 
+TEST_F(Live, AWarningIsShownAndTheLitterGoesOn) {
+  open({"--set", "drive=60", "--set", "pups=3"});
+  screen_.press("f");
+  EXPECT_THAT(await("warning "), HasSubstr("outside the wall from step "));
+  EXPECT_THAT(await("warning "), HasSubstr("hanging in the air from step "));
+  await("step ");
+}
+
 TEST_F(Live, TheMouseTurnsTheViewAndHomeTurnsItBack) {
   open({"--paused"});
   const Box box = widget("play");  // the panel is at the left; the arena is not

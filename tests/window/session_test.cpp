@@ -67,6 +67,20 @@ TEST(Session, AnEditOfTheLitterRestartsIt) {
   EXPECT_TRUE(session.running());
 }
 
+TEST(Session, ShowsWarningsUntilTheLitterIsANewOne) {
+  Params params = small_litter();
+  params.drive = 60;
+  Session session(params, true);
+  for (int i = 0; i < 200; ++i) session.step();
+  Snapshot snapshot = look_at(session);
+  EXPECT_TRUE(snapshot.status.ok());
+  ASSERT_FALSE(snapshot.warnings.empty());
+  EXPECT_EQ(snapshot.warnings[0].kind, Warning::Kind::outside);
+  session.apply(Restart{});
+  session.fill(snapshot, false);
+  EXPECT_TRUE(snapshot.warnings.empty());
+}
+
 TEST(Session, AnUnsoundEditIsNotTaken) {
   Session session(small_litter(), true);
   Params edited = small_litter();

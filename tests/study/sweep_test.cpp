@@ -120,9 +120,9 @@ TEST_F(Sweep, RecordsRunsThatGoWrongAndEndsWithThree) {
   EXPECT_THAT(rows[2][3], "nan");
   const auto summary = rows_of(path("s/summary.csv"));
   EXPECT_EQ(summary[0][1], "2");
-  EXPECT_EQ(summary[0].back(), "0");
+  EXPECT_EQ(summary[0][summary[0].size() - 2], "0");
   EXPECT_EQ(summary[1][1], "0");
-  EXPECT_EQ(summary[1].back(), "2");
+  EXPECT_EQ(summary[1][summary[1].size() - 2], "2");
   EXPECT_TRUE(std::filesystem::exists(path("s/sweep.png")));
   expect(3, words);  // also when it is only read again
 }

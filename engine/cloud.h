@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "engine/aligned.h"
@@ -22,6 +23,12 @@ namespace pupflow {
 /// grid and go to the sphere by x' = x sqrt(1 - y^2/2 - z^2/2 + y^2 z^2/3) and its cyclic partners.
 /// Wilson 2017, Methods.
 std::vector<Eigen::Vector3d> cube_sphere(int face_points, double radius);
+
+/// The surface through the points of `cube_sphere(face_points, ...)`: 12 k^2 - 4 triangles of point
+/// numbers, counter-clockwise seen from outside. The six k x k grids are joined by a strip of
+/// quads (two triangles each) along each of the cube's twelve edges and by one triangle at each of
+/// its eight corners, so the surface is closed. `face_points` from 2.
+std::vector<std::array<int, 3>> surface_triangles(int face_points);
 
 /// The modes of a rest shape, ready for the kernels; shared by all pups of a litter.
 template <class Real>

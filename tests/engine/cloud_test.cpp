@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace pupflow {
 namespace {
@@ -44,6 +46,49 @@ TEST(Cloud, SpacingIsAsEvenAsMeasured) {
   }
   EXPECT_NEAR(sum / static_cast<double>(rest.size()), 0.0472, 0.0001);
   EXPECT_NEAR(greatest / least, 1.15, 0.01);
+}
+
+TEST(Surface, IsClosedAndEveryEdgeIsUsedOnceEachWay) {
+  for (const int k : {2, 3, 7, 32}) {
+    const auto triangles = surface_triangles(k);
+    ASSERT_EQ(triangles.size(), 12u * k * k - 4);
+    std::map<std::pair<int, int>, int> uses;
+    for (const auto& t : triangles) {
+      for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(t[i] >= 0 && t[i] < 6 * k * k);
+        ++uses[{t[i], t[(i + 1) % 3]}];
+      }
+    }
+    for (const auto& [edge, count] : uses) {
+      ASSERT_EQ(count, 1);
+      ASSERT_TRUE(uses.contains({edge.second, edge.first}));
+    }
+    // Euler: a closed surface like a sphere has V - E + F = 2.
+    EXPECT_EQ(6 * k * k - static_cast<int>(uses.size()) / 2 + static_cast<int>(triangles.size()),
+              2);
+  }
+}
+
+TEST(Surface, FacesOutwardAndEnclosesNearlyTheSphere) {
+  const double pi = std::acos(-1.0);
+  for (const int k : {2, 3, 7, 32}) {
+    const auto rest = cube_sphere(k, 0.25);
+    double volume = 0, shortest = 1, longest = 0;
+    for (const auto& [a, b, c] : surface_triangles(k)) {
+      const double six = rest[a].dot(rest[b].cross(rest[c]));
+      ASSERT_GT(six, 0);
+      volume += six / 6;
+      for (const double edge :
+           {(rest[a] - rest[b]).norm(), (rest[b] - rest[c]).norm(), (rest[c] - rest[a]).norm()}) {
+        shortest = std::min(shortest, edge);
+        longest = std::max(longest, edge);
+      }
+    }
+    const double sphere = 4 * pi / 3 * std::pow(0.25, 3);
+    EXPECT_LT(volume, sphere);
+    EXPECT_GT(volume, sphere * (1 - 1.6 / (k * k)));
+    EXPECT_LT(longest, 2.5 * shortest) << "neighbours only, k " << k;
+  }
 }
 
 template <class Real>

@@ -12,13 +12,22 @@ namespace pupflow {
 std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop) {
   Simulation simulation(params);
   RunMeans means(params.discard);
+  // Flow compares with the state flow_lag steps before, so watching begins that much before the
+  // means.
+  const std::int64_t first = std::max<std::int64_t>(params.discard - params.flow_lag, 0);
+  simulation.set_observed(false);
   std::optional<Observer> observer;
   while (simulation.steps_done() < params.steps) {
     if (stop()) return std::nullopt;
-    const bool counts = simulation.steps_done() >= params.discard;
-    if (counts && !observer) observer.emplace(simulation);  // flow compares with the step before
+    if (simulation.steps_done() == first) observer.emplace(simulation);
+    if (simulation.steps_done() == std::max<std::int64_t>(first - 1, 0))
+      simulation.set_observed(true);
     if (!simulation.step().ok()) break;
-    if (counts) means.add(simulation, observer->observe(simulation));
+    if (simulation.steps_done() > params.discard) {
+      means.add(simulation, observer->observe(simulation));
+    } else if (observer) {
+      observer->pass(simulation);
+    }
   }
   RunResult result{simulation.status(), means.means(), means.exposed_sd(), {}};
   for (const Warning& warning : simulation.warnings()) result.warnings.add(warning);

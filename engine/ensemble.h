@@ -20,9 +20,9 @@ struct RunResult {
   Warnings warnings;      // that the steps taken came to
 };
 
-/// Runs `params.steps` steps, or to the first bad status. Looks at the observables only from where
-/// the means begin. Nothing when `stop` (asked between steps) told it to give up. Throws
-/// InvalidParams.
+/// Runs `params.steps` steps, or to the first bad status. The litter is observed only
+/// from where the means need it: flow_lag steps before they begin. Nothing when `stop` (asked
+/// between steps) told it to give up. Throws InvalidParams.
 std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop);
 
 /// Runs number 0 ... count - 1 of `params_of`, on `threads` threads (at least 1). `deliver` gets

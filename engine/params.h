@@ -57,6 +57,7 @@ struct Params {
   HeatRule heat = HeatRule::exact;
   std::int64_t steps = 1500;
   std::int64_t discard = 500;
+  std::int64_t flow_lag = 1;
   std::int64_t seed = 1;
   Precision precision = Precision::double_;
 

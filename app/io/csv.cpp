@@ -5,6 +5,15 @@
 #include "app/io/text.h"
 
 namespace pupflow::io {
+namespace {
+
+std::string observable_columns() {
+  std::string columns;
+  for (const ObservableName& row : observable_names()) columns.append(",").append(row.name);
+  return columns;
+}
+
+}  // namespace
 
 CsvFile::CsvFile(const std::string& path, bool force, const TextEntries& header,
                  std::string_view columns)
@@ -48,14 +57,11 @@ void CsvFile::comment(std::string_view text) {
 }
 
 MetricsCsv::MetricsCsv(const std::string& path, bool force, const Params& params)
-    : file_(path, force, provenance(params),
-            "step,time,mean_tb,huddling,groups,largest,flow,membership_flow") {}
+    : file_(path, force, provenance(params), "step,time" + observable_columns()) {}
 
 void MetricsCsv::add(const Simulation& simulation, const Observables& observables) {
   file_.cell(simulation.steps_done()).cell(simulation.time());
-  file_.cell(observables.mean_tb).cell(observables.huddling);
-  file_.cell(observables.groups).cell(observables.largest);
-  file_.cell(observables.flow).cell(observables.membership_flow);
+  for (const ObservableName& row : observable_names()) file_.cell(observables.*row.value);
   file_.end_row();
 }
 

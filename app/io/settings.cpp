@@ -51,7 +51,8 @@ void take_set(const std::string& set, Params& params, std::vector<std::string>& 
 }  // namespace
 
 bool Settings::empty() const {
-  return scene.empty() && like.empty() && sets.empty() && !seed && !steps && !precision;
+  return scene.empty() && like.empty() && sets.empty() && !seed && !steps && !precision &&
+         !flow_lag;
 }
 
 Setup set_up(const Settings& settings, const Params& base) {
@@ -67,11 +68,14 @@ Setup set_up(const Settings& settings, const Params& base) {
   }
   if (!settings.like.empty()) setup.params = params_of_file(settings.like);
   for (const std::string& set : settings.sets) take_set(set, setup.params, problems);
-  const std::pair<const char*, const std::optional<std::string>*> shortcuts[] = {
-      {"seed", &settings.seed}, {"steps", &settings.steps}, {"precision", &settings.precision}};
-  for (const auto& [name, value] : shortcuts) {
-    if (*value) take("--" + std::string(name), name, **value, setup.params, problems);
-  }
+  const auto shortcut = [&](const char* option, const char* name,
+                            const std::optional<std::string>& value) {
+    if (value) take(option, name, *value, setup.params, problems);
+  };
+  shortcut("--seed", "seed", settings.seed);
+  shortcut("--steps", "steps", settings.steps);
+  shortcut("--precision", "precision", settings.precision);
+  shortcut("--flow-lag", "flow_lag", settings.flow_lag);
   for (const Problem& problem : check(setup.params)) problems.push_back(problem.message);
   if (!problems.empty()) fail_with(problems);
   return setup;

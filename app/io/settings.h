@@ -15,7 +15,7 @@ struct Settings {
   std::string scene;              // a path or a shipped name; empty for none
   std::string like;               // an output file whose parameters to take; empty for none
   std::vector<std::string> sets;  // "name=value" each
-  std::optional<std::string> seed, steps, precision;
+  std::optional<std::string> seed, steps, precision, flow_lag;
 
   bool empty() const;  // nothing was typed
 };

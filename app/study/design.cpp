@@ -177,6 +177,11 @@ void check_design(const Design& design) {
                   " leaves no step for the means: it must exceed discard = " +
                   std::to_string(params.discard) + "\n";
     }
+    if (params.steps < params.flow_lag) {
+      problems += "flow_lag = " + std::to_string(params.flow_lag) +
+                  " leaves no step with a pup flow: it must be at most steps = " +
+                  std::to_string(params.steps) + "\n";
+    }
   }
   if (!problems.empty()) refuse(problems);
 }

@@ -66,6 +66,7 @@ Params papers_values(const Params& present) {
   params.seed = present.seed;
   params.steps = present.steps;
   params.discard = present.discard;
+  params.flow_lag = present.flow_lag;
   params.precision = present.precision;
   return params;
 }

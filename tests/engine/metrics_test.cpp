@@ -62,6 +62,88 @@ TEST_F(RowOfThree, MembershipFlowCountsThoseWhoseMatesChanged) {
   EXPECT_EQ(observer.observe(simulation).membership_flow, 0);
 }
 
+TEST_F(RowOfThree, FlowComparesOverItsLag) {
+  Params lagged = simulation.params();
+  lagged.flow_lag = 3;
+  simulation.set_params(lagged);
+  Observer every(simulation), sparing(simulation);
+  std::vector<std::vector<double>> exposed{{1, 1, 1}};  // by step
+  for (int step = 1; step <= 9; ++step) {
+    put(0, 0), put(1, 0.58 - 0.003 * step * step), put(2, 1.5);  // ever deeper
+    simulation.step();
+    exposed.emplace_back(simulation.exposed().begin(), simulation.exposed().end());
+    const double flow = every.observe(simulation).flow;
+    if (step < 3) {
+      EXPECT_TRUE(std::isnan(flow)) << step;
+    } else {
+      double change = 0;
+      for (int pup = 0; pup < 3; ++pup)
+        change += std::abs(exposed[step][pup] - exposed[step - 3][pup]);
+      EXPECT_GT(change, 0) << step;
+      EXPECT_NEAR(flow, change / 3 / (3 * 0.01), 1e-12) << step;
+    }
+    if (step % 4 != 0) {
+      sparing.pass(simulation);  // what nobody looks at is compared with nevertheless
+    } else {
+      const Observables& seen = sparing.observe(simulation);
+      EXPECT_EQ(seen.flow, flow) << step;
+      EXPECT_EQ(seen.membership_flow, every.last().membership_flow) << step;
+    }
+  }
+}
+
+TEST_F(RowOfThree, FlowOverALagIsTheChangeOfAOverItsTime) {
+  Params lagged = simulation.params();
+  lagged.flow_lag = 5;
+  simulation.set_params(lagged);
+  Observer observer(simulation);
+  for (int step = 1; step <= 4; ++step) {
+    simulation.step();
+    observer.pass(simulation);
+  }
+  simulation.step();
+  const auto a = simulation.exposed();  // from 1 at the start
+  EXPECT_NEAR(observer.observe(simulation).flow, (3 - a[0] - a[1] - a[2]) / 3 / 0.05, 1e-12);
+}
+
+TEST_F(RowOfThree, OnlyWhatIsWantedIsComputed) {
+  for (const ObservableName& row : observable_names()) {
+    Observer all(simulation);
+    Observer one(simulation, ObservableSet().add(row.observable));
+    simulation.step();
+    const Observables &whole = all.observe(simulation), &part = one.observe(simulation);
+    for (const ObservableName& other : observable_names()) {
+      if (other.observable == row.observable) {
+        EXPECT_EQ(part.*other.value, whole.*other.value) << other.name;
+      } else {
+        EXPECT_TRUE(std::isnan(part.*other.value)) << other.name;
+      }
+    }
+  }
+}
+
+TEST_F(RowOfThree, TheMeanOfTheFlowIsOverTheStepsThatHaveOne) {
+  Params lagged = simulation.params();
+  lagged.flow_lag = 4;
+  simulation.set_params(lagged);
+  Observer observer(simulation);
+  RunMeans means(0);
+  double sum = 0;
+  for (int step = 1; step <= 10; ++step) {
+    simulation.step();
+    const Observables& now = observer.observe(simulation);
+    means.add(simulation, now);
+    if (step >= 4) sum += now.flow;
+  }
+  EXPECT_EQ(means.count(), 10);
+  EXPECT_DOUBLE_EQ(means.means().flow, sum / 7);
+}
+
+TEST(Observer, TheTableOfNamesIsThatOfTheEnum) {
+  for (std::size_t i = 0; i < kObservableCount; ++i)
+    EXPECT_EQ(static_cast<std::size_t>(observable_names()[i].observable), i);
+}
+
 TEST_F(RowOfThree, RunMeansLeaveOutTheDiscardedSteps) {
   Observer observer(simulation);
   RunMeans means(3);

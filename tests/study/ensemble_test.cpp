@@ -44,8 +44,7 @@ TEST(Ensemble, ComesToTheSameNumbersOnAnyNumberOfThreads) {
   }
 }
 
-TEST(Ensemble, ReportsTheMeansThatARunItselfComesTo) {
-  const Params params = litter(3);
+void expect_means_of_a_watched_run(const Params& params) {
   Simulation simulation(params);
   Observer observer(simulation);
   RunMeans means(params.discard);
@@ -55,10 +54,46 @@ TEST(Ensemble, ReportsTheMeansThatARunItselfComesTo) {
   const auto result = run_to_end(params, kNever);
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->status.ok());
-  EXPECT_EQ(result->means.mean_tb, means.means().mean_tb);
-  EXPECT_EQ(result->means.huddling, means.means().huddling);
-  EXPECT_EQ(result->means.flow, means.means().flow);
+  for (const ObservableName& row : observable_names())
+    EXPECT_EQ(result->means.*row.value, means.means().*row.value) << row.name;
   EXPECT_EQ(result->exposed_sd, means.exposed_sd());
+}
+
+TEST(Ensemble, ReportsTheMeansThatARunItselfComesTo) {
+  for (const std::int64_t discard : {0, 1, 2, 5, 20}) {
+    for (const std::int64_t lag : {1, 2, 5, 30}) {
+      SCOPED_TRACE("discard " + std::to_string(discard) + ", lag " + std::to_string(lag));
+      Params params = litter(3);
+      params.discard = discard;
+      params.flow_lag = lag;
+      expect_means_of_a_watched_run(params);
+    }
+  }
+}
+
+TEST(Ensemble, ReportsThemWhereOnlyAnObserverAsksForContacts) {
+  Params params = litter(3);
+  params.drive = params.k1 = params.k2 = params.g = 0;
+  params.arena_radius = 0.4;  // so small that they touch
+  params.flow_lag = 3;
+  expect_means_of_a_watched_run(params);
+  EXPECT_GT(run_to_end(params, kNever)->means.huddling, 0);
+}
+
+TEST(Ensemble, LookingFromTheMiddleOnChangesNoBit) {
+  for (const double drive : {0.0, 1.0}) {
+    Params params = litter(3);
+    params.drive = drive;
+    if (drive == 0) params.k1 = params.k2 = params.g = 0;
+    Simulation always(params), late(params);
+    late.set_observed(false);
+    always.run(40);
+    late.run(30);
+    late.set_observed(true);
+    late.run(10);
+    EXPECT_EQ(late.hash(), always.hash());
+    EXPECT_EQ(late.exposed()[0], always.exposed()[0]);
+  }
 }
 
 TEST(Ensemble, EndsARunWhereItsNumbersGoWrong) {

@@ -46,6 +46,13 @@ void add_common(CLI::App& verb, Common& common, const CommonHelp& help) {
   verb.add_flag("--quiet", common.quiet, help.quiet);
 }
 
+void add_flow_lag(CLI::App& verb, Common& common) {
+  verb.add_option("--flow-lag", common.settings.flow_lag,
+                  "Short for --set flow_lag=N: pup flow is |A(t) - A(t - N dt)| / (N dt) (default "
+                  "1)")
+      ->option_text("N");
+}
+
 int thread_count(const Common& common) {
   if (common.threads > 0) return common.threads;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

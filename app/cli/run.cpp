@@ -16,6 +16,7 @@
 #include "app/io/progress.h"
 #include "app/io/recording.h"
 #include "engine/metrics.h"
+#include "engine/overlap.h"
 
 namespace pupflow::cli {
 namespace {
@@ -24,6 +25,7 @@ struct Options {
   Common common;  // its `out` is the metrics CSV
   std::string pups, record, checkpoint, from;
   std::int64_t every = 1, record_every = 10;
+  bool overlap = false;
 };
 
 /// The files that were asked for. They appear when the run ends, however it ends.
@@ -79,9 +81,7 @@ class Run {
         means_(simulation_.params().discard),
         summary_(!options.common.quiet) {
     simulation_.set_threads(thread_count(options.common));
-    // A checkpoint holds who touches whom, with which whoever goes on compares.
-    simulation_.set_observed(files_.metrics || files_.pups || files_.recording || summary_ ||
-                             !options.checkpoint.empty());
+    if (options.overlap && summary_) overlap_.emplace();
   }
 
   /// Steps to the end, a bad status, or Ctrl-C; then puts the files in place.
@@ -109,31 +109,60 @@ class Run {
   bool summary() const { return summary_; }
   const Simulation& simulation() const { return simulation_; }
   const RunMeans& means() const { return means_; }
+  std::optional<Overlap> overlap() const {
+    return overlap_ ? std::optional(overlap_->means.means()) : std::nullopt;
+  }
   double seconds() const { return seconds_; }
 
  private:
+  bool in_means(std::int64_t step) const { return summary_ && step > simulation_.params().discard; }
+
+  /// Whether the observables after `step` are wanted, or those up to `ahead` steps later.
+  bool wanted(std::int64_t step, std::int64_t ahead = 0) const {
+    const bool row =
+        files_.metrics && (step + ahead) / options_.every > (step - 1) / options_.every;
+    return row || in_means(step + ahead);
+  }
+
   void one_step() {
-    const std::int64_t step = simulation_.steps_done() + 1;
-    const bool row = step % options_.every == 0;
-    const bool mean = summary_ && step > simulation_.params().discard;
-    const bool observe = mean || (row && files_.metrics);
-    // Flow compares with the step before, which a new observer takes as its starting point.
-    if (observe && !observer_) observer_.emplace(simulation_);
-    if (!observe) observer_.reset();
+    const std::int64_t step = simulation_.steps_done() + 1, lag = simulation_.params().flow_lag;
+    const bool observe = wanted(step), later = wanted(step, lag);
+    const bool pups_row = files_.pups && step % options_.every == 0;
+    const bool frame = files_.recording && step % options_.record_every == 0;
+    if (!later) observer_.reset();
+    // The state before a step that is compared with a later one, as the last step left it.
+    if (later && !observer_ && wanted(step - 1, lag)) observer_.emplace(simulation_);
+    // A checkpoint holds who touches whom, with which whoever goes on compares.
+    const bool observed = later || pups_row || frame || !options_.checkpoint.empty();
+    if (observed != observed_) simulation_.set_observed(observed_ = observed);
     if (!simulation_.step().ok()) return;
-    if (observe) observer_->observe(simulation_);
-    if (mean) means_.add(simulation_, observer_->last());
-    if (row && files_.metrics) files_.metrics->add(simulation_, observer_->last());
-    if (row && files_.pups) files_.pups->add(simulation_);
-    if (files_.recording && step % options_.record_every == 0) files_.recording->add(simulation_);
+    if (observe) {
+      observer_->observe(simulation_);
+    } else if (observer_) {
+      observer_->pass(simulation_);
+    }
+    if (in_means(step)) means_.add(simulation_, observer_->last());
+    if (overlap_ && in_means(step) &&
+        (step - simulation_.params().discard - 1) % kOverlapEvery == 0)
+      overlap_->means.add(overlap_->meter.measure(simulation_));
+    if (observe && files_.metrics && step % options_.every == 0)
+      files_.metrics->add(simulation_, observer_->last());
+    if (pups_row) files_.pups->add(simulation_);
+    if (frame) files_.recording->add(simulation_);
   }
 
   const Options& options_;
   Files files_;
   Simulation simulation_;
   std::optional<Observer> observer_;
+  bool observed_ = true;  // as a new simulation is
   RunMeans means_;
   bool summary_;
+  struct OverlapLooks {
+    OverlapMeter meter;
+    OverlapMeans means;
+  };
+  std::optional<OverlapLooks> overlap_;
   double seconds_ = 0;
 };
 
@@ -169,7 +198,8 @@ void work(const Options& options) {
   Run run(options, start_of(options, title));
   run.go();
   if (run.summary()) {
-    const std::string text = run_summary(title, run.simulation(), run.means(), run.seconds());
+    const std::string text =
+        run_summary(title, run.simulation(), {run.means(), run.overlap()}, run.seconds());
     const bool taken =
         io::is_standard_output(options.common.out) || io::is_standard_output(options.pups);
     if (taken) {
@@ -220,6 +250,10 @@ Verb add_run(CLI::App& program) {
                   "Go on from a checkpoint, bit for bit, up to step --steps")
       ->option_text("FILE")
       ->check(not_empty);
+  add_flow_lag(*app, options->common);
+  app->add_flag("--overlap", options->overlap,
+                "Tell in the summary how far bodies run into each other: means over every " +
+                    std::to_string(kOverlapEvery) + "th of the steps of the other means");
   app->footer(
       "Exit code 3 when the numbers went wrong, 130 after Ctrl-C: the rows up to there are kept, "
       "and "

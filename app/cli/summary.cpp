@@ -22,7 +22,8 @@ std::string value_of(const Params& params, std::string_view name) {
   return format_value(*find_parameter(name), params);
 }
 
-std::string means_text(const Simulation& simulation, const RunMeans& means) {
+std::string means_text(const Simulation& simulation, const Seen& seen) {
+  const RunMeans& means = seen.means;
   const Params& params = simulation.params();
   const long long discard = params.discard, done = simulation.steps_done();
   if (done == 0) return "no means: no step was taken\n";
@@ -41,9 +42,18 @@ std::string means_text(const Simulation& simulation, const RunMeans& means) {
   line("huddling, 1 - A", m.huddling);
   line("groups", m.groups);
   line("pups in largest group", m.largest);
-  line("pup flow", m.flow, " /s");
+  const std::string lag =
+      params.flow_lag == 1 ? "" : format(", lag %lld", static_cast<long long>(params.flow_lag));
+  line(("pup flow" + lag).c_str(), m.flow, " /s");
   line("membership flow", m.membership_flow, " /s");
   line("sd of A over time", means.exposed_sd());
+  if (!seen.overlap) return text;
+  const Overlap& o = *seen.overlap;
+  text += format("overlap of bodies, every %dth of these steps\n", kOverlapEvery);
+  line("nearest centres apart", o.nearest);
+  line("closest ever", o.least);
+  line("points inside another", o.inside);
+  line("exposed share of those", o.inside_exposed);
   return text;
 }
 
@@ -56,8 +66,8 @@ std::string litter_words(const Params& params) {
                 value_of(params, "precision").c_str(), value_of(params, "heading").c_str());
 }
 
-std::string run_summary(const std::string& title, const Simulation& simulation,
-                        const RunMeans& means, double seconds) {
+std::string run_summary(const std::string& title, const Simulation& simulation, const Seen& seen,
+                        double seconds) {
   const long long done = simulation.steps_done();
   std::string text = title.empty() ? "" : title + "\n";
   text += litter_words(simulation.params()) + "\n";
@@ -65,7 +75,7 @@ std::string run_summary(const std::string& title, const Simulation& simulation,
                  simulation.time(), seconds);
   if (done > 0 && seconds > 0)
     text += format(": %.4g steps/s", static_cast<double>(done) / seconds);
-  text += "\n" + means_text(simulation, means);
+  text += "\n" + means_text(simulation, seen);
   text += "status  " + (simulation.status().ok() ? "fine" : simulation.status().message()) + "\n";
   for (const Warning& warning : simulation.warnings())
     text += "warning " + warning.message() + "\n";

@@ -1,9 +1,11 @@
 // What `run` tells people at its end.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "engine/metrics.h"
+#include "engine/overlap.h"
 #include "engine/simulation.h"
 
 namespace pupflow::cli {
@@ -11,9 +13,18 @@ namespace pupflow::cli {
 /// A few words about the litter of `params`, e.g. for a first line.
 std::string litter_words(const Params& params);
 
+/// Overlap is measured every so many steps, since it takes as long as several of them.
+constexpr int kOverlapEvery = 10;
+
+/// What was seen of a run.
+struct Seen {
+  const RunMeans& means;
+  std::optional<Overlap> overlap;  // means, where it was asked for
+};
+
 /// The run's means (or why there are none), status, warnings, hash and speed; `seconds` is the time
 /// it took.
-std::string run_summary(const std::string& title, const Simulation& simulation,
-                        const RunMeans& means, double seconds);
+std::string run_summary(const std::string& title, const Simulation& simulation, const Seen& seen,
+                        double seconds);
 
 }  // namespace pupflow::cli

@@ -38,6 +38,7 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
   help.quiet = "No progress and no summary at the end";
   add_common(app, options.common, help);
   app.get_option("--out")->option_text("FOLDER");
+  add_flow_lag(app, options.common);
   app.add_option("--seeds", options.seeds, "Runs at each point (default 10)")
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));

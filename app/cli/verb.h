@@ -53,6 +53,9 @@ std::string not_empty(const std::string& text);
 /// Declares the common options.
 void add_common(CLI::App& verb, Common& common, const CommonHelp& help);
 
+/// Declares --flow-lag, for verbs that report pup flow.
+void add_flow_lag(CLI::App& verb, Common& common);
+
 /// The threads asked for, or one for each core.
 int thread_count(const Common& common);
 

@@ -146,6 +146,56 @@ TEST_F(CliRun, PrintsMeansThatReadBackToTheSameValue) {
   EXPECT_EQ(printed, means.means().mean_tb);
 }
 
+TEST_F(CliRun, FlowLagIsThatOfRowsMeansAndWhatTheFileCarries) {
+  const std::vector<std::string> words{"run",        "--steps", "40",    "--set", "discard=20",
+                                       "--flow-lag", "10",      "--csv", "m.csv"};
+  const Outcome whole = pupflow(words);
+  EXPECT_EQ(whole.code, 0) << whole.err;
+  EXPECT_THAT(whole.out, HasSubstr("pup flow, lag 10 "));
+  EXPECT_THAT(contents(scratch_.path("m.csv")), HasSubstr("# flow_lag = 10\n"));
+  const auto all = rows("m.csv");
+  EXPECT_THAT(all[9], HasSubstr(",nan,"));  // no step has one ten before it
+  EXPECT_THAT(all[10], Not(HasSubstr("nan")));
+  // Rows further apart than the lag, and means alone, come to the same.
+  std::vector<std::string> sparse = words;
+  sparse.back() = "s.csv";
+  sparse.insert(sparse.end(), {"--every", "17"});
+  EXPECT_THAT(pupflow(sparse).out, HasSubstr(whole.out.substr(whole.out.find("means over"))));
+  EXPECT_EQ(rows("s.csv")[1], all[17]);
+  EXPECT_EQ(rows("s.csv")[2], all[34]);
+  sparse.push_back("--quiet");  // no means
+  sparse[8] = "q.csv";
+  EXPECT_EQ(pupflow(sparse).code, 0);
+  EXPECT_EQ(rows("q.csv"), rows("s.csv"));
+  EXPECT_THAT(pupflow({"run", "--like", "m.csv"}).out, HasSubstr("pup flow, lag 10 "));
+  EXPECT_THAT(pupflow({"run", "--flow-lag", "0"}).err,
+              HasSubstr("--flow-lag: flow_lag = 0: lag of"));
+}
+
+TEST_F(CliRun, TellsTheOverlapOnlyWhereAsked) {
+  const std::vector<std::string> words{"run", "cold", "--steps", "600"};
+  const std::string plain = pupflow(words).out;
+  EXPECT_THAT(plain, Not(HasSubstr("overlap")));
+  std::vector<std::string> asked = words;
+  asked.emplace_back("--overlap");
+  const Outcome outcome = pupflow(asked);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("overlap of bodies, every 10th of these steps\n"));
+  const auto value = [&](const std::string& name) {
+    const std::size_t at = outcome.out.find(name);
+    EXPECT_NE(at, std::string::npos) << name;
+    return std::stod(outcome.out.substr(at + name.size()));
+  };
+  EXPECT_GT(value("nearest centres apart"), 0.25);
+  EXPECT_LT(value("nearest centres apart"), 0.6);
+  EXPECT_LE(value("closest ever"), value("nearest centres apart"));
+  EXPECT_GT(value("points inside another"), 0.01);
+  EXPECT_LT(value("points inside another"), 0.5);
+  EXPECT_LT(value("exposed share of those"), 1);
+  const auto hash = [](const std::string& text) { return text.substr(text.find("hash")); };
+  EXPECT_EQ(hash(outcome.out), hash(plain));
+}
+
 TEST_F(CliRun, RefusesBeforeItStarts) {
   scratch_.file("m.csv", "precious");
   // So many steps would not end: refusing comes first.

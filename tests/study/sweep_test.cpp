@@ -45,6 +45,28 @@ std::vector<double> means_of(const std::string& csv, std::size_t from) {
   return means;
 }
 
+TEST_F(Sweep, OfAnotherFlowLagIsAnotherSweep) {
+  const Words lag{"--vary", "ta=0,1", "--seeds", "2", "--flow-lag"};
+  const auto with = [&](const std::string& steps, const std::string& folder) {
+    Words words = lag;
+    words.insert(words.end(), {steps, "--out", folder});
+    return small("sweep", words);
+  };
+  expect(0, with("1", "one"));
+  expect(0, with("10", "ten"));
+  EXPECT_THAT(expect(2, with("10", "one")), HasSubstr("'flow_lag = 1' there, 'flow_lag = 10' now"));
+  const auto one = rows_of(path("one/runs.csv")), ten = rows_of(path("ten/runs.csv"));
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    Words other = ten[i];
+    EXPECT_NE(other[7], one[i][7]);  // flow
+    other[7] = one[i][7];
+    EXPECT_EQ(other, one[i]) << "the other means are over the same steps";
+  }
+  expect(0, small("sweep", {"--like", "ten/summary.csv", "--vary", "ta=0,1", "--seeds", "2",
+                            "--out", "like"}));
+  EXPECT_EQ(files_of(path("like")), files_of(path("ten")));
+}
+
 TEST_F(Sweep, HasRowsThatASingleRunComesToAgain) {
   expect(0, small("sweep", {"--vary", "ta=0.1:0.9:3", "--vary", "beta=0,0.5", "--seeds", "2",
                             "--seed", "77", "--out", "s"}));
@@ -169,6 +191,8 @@ TEST_F(Sweep, RefusesWrongOptionsBeforeItRuns) {
       {{"--vary", "ta=0,1", "--shard", "3/2"}, "1 to n"},
       {{"--vary", "ta=0,1", "--threads", "0"}, "--threads"},
       {{"--vary", "ta=0,1", "--set", "discard=60"}, "must exceed discard"},
+      {{"--vary", "ta=0,1", "--flow-lag", "61"}, "it must be at most steps = 60"},
+      {{"--vary", "ta=0,1", "--flow-lag", "none"}, "--flow-lag: flow_lag = 'none'"},
       {{"--vary", "ta=0,1", "--out", ""}, "--out"},
   };
   for (const auto& [words, said] : wrong) {

@@ -20,7 +20,7 @@ std::vector<std::string> plot_paths(const std::string& folder, const Design& des
 
 std::string draw_plots(const std::string& folder, const Design& design,
                        const std::vector<Summary>& summaries) {
-  const std::string text = plot_script(design);
+  const std::string text = plot_script(design, summaries);
   if (text.empty()) {
     return "no plot: " + std::to_string(plotted_axes(design).size()) +
            " parameters take several values; one gives four panels, two give maps";

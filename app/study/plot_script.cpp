@@ -5,6 +5,7 @@
 
 #include "app/io/gnuplot.h"
 #include "app/io/text.h"
+#include "app/study/transition.h"
 
 namespace pupflow::study {
 namespace {
@@ -37,15 +38,17 @@ constexpr Panel kFourPanels[] = {
     {"mean_tb", "A   body temperature T_{b}  (0.6 is 37 °C)"},
     {"huddling", "B   huddling 1 - A"},
     {"groups", "C   groups"},
-    {"flow", "D   pup flow |dA/dt|  (1/s)"},
+    {"flow", "D   pup flow and standard deviation of A"},
 };
+
+constexpr const char *kBlue = "#31688e", *kOrange = "#c2570c", *kShade = "#f3ead0";
 
 constexpr Panel kMaps[] = {
     {"mean_tb", "body temperature T_{b}  (0.6 is 37 °C)"},
     {"huddling", "huddling 1 - A"},
     {"groups", "groups"},
     {"largest", "pups in the largest group"},
-    {"flow", "pup flow |dA/dt|  (1/s)"},
+    {"flow", "pup flow |ΔA|/Δt  (1/s)"},
     {"membership_flow", "membership flow  (1/s)"},
 };
 
@@ -85,43 +88,118 @@ std::string marks(const Design& design, const Axis& axis, bool labelled) {
   return s.str();
 }
 
-std::string four_panels(const Design& design, const Axis& axis) {
+/// Rectangles behind the curves where mean T_b is near T_p.
+std::string shades(const std::vector<Range>& held) {
+  std::ostringstream s;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    s << "  set object " << i + 1 << " rectangle from " << io::number_text(held[i].from)
+      << ", graph 0 to " << io::number_text(held[i].to) << ", graph 1 behind fc rgb '" << kShade
+      << "' fs solid noborder\n";
+  }
+  return s.str();
+}
+
+/// Which way the curves of one sweep are drawn.
+struct Curves {
+  std::string varied;
+  bool words;  // its values are names, drawn side by side
+
+  /// What follows "plot": mean and spread of one column. `axes` is "x1y1" or "x1y2"; named values
+  /// are moved aside by `aside`.
+  std::string of(const std::string& column, const char* colour, const char* axes, double aside,
+                 const std::string& key) const {
+    const std::string mean = "column('" + column + "')", sd = "column('" + column + "_sd')";
+    const std::string x =
+        words ? "(column(0) + " + io::number_text(aside) + "):" : "(column('" + varied + "')):";
+    const std::string ticks = words && aside == 0 ? ":xtic(stringcolumn('" + varied + "'))" : "";
+    const std::string on = std::string(" axes ") + axes;
+    const std::string colour_of = std::string(" lc '") + colour + "' ";
+    std::ostringstream s;
+    if (words) {
+      s << "'summary.csv' using " << x << "(" << mean << "):(" << sd << ")" << on
+        << " with yerrorbars pt 0 lw 1.5" << colour_of << "notitle, \\\n       ";
+    } else {
+      s << "'summary.csv' using " << x << "(" << mean << " - " << sd << "):(" << mean << " + " << sd
+        << ")" << on << " with filledcurves" << colour_of << "notitle, \\\n       ";
+    }
+    s << "'summary.csv' using " << x << "(" << mean << ")" << ticks << on
+      << (words ? " with points" : " with linespoints lw 1.8") << " pt " << (axes[3] == '1' ? 7 : 5)
+      << " ps 0.6" << colour_of << key;
+    return s.str();
+  }
+};
+
+/// Commands that let the upright axis start at 0, or say that it does not: T_b may be negative.
+std::string start_of_axis(const std::vector<Summary>& summaries, bool first) {
+  const bool negative = std::any_of(summaries.begin(), summaries.end(), [](const Summary& s) {
+    return s.runs > 0 && s.observables[0].mean < 0;
+  });
+  if (!(first && negative)) return "  set yrange [0:*]\n";
+  return "  set yrange [*:*]\n  set label 5 'this axis does not start at 0' at graph 0.98, 0.03 "
+         "right tc '#666666'\n";
+}
+
+std::string four_panels(const Design& design, const Axis& axis,
+                        const std::vector<Summary>& summaries) {
   const std::string varied(axis.parameter->name);
   const bool ta = varied == "ta";
-  const bool words = axis.parameter->kind == Parameter::Kind::choice;
-  const std::string x = words ? "(column(0)):" : "(column('" + varied + "')):";
-  const std::string ticks = words ? ":xtic(stringcolumn('" + varied + "'))" : "";
-  std::ostringstream s;
-  s << opening(design, 1100, 860)
-    << "  set multiplot layout 2,2 margins 0.08,0.98,0.11,0.95 spacing 0.1,0.12\n"
-    << "  set xlabel \"" << label(*axis.parameter) << "\"\n"
-    << "  set style fill transparent solid 0.2 noborder\n  set key top left samplen 2 textcolor "
-       "'#444444'\n";
-  if (words) s << "  set xrange [-0.5:" << axis.values.size() << " - 0.5]\n";
+  const Curves curves{varied, axis.parameter->kind == Parameter::Kind::choice};
+  const auto number = static_cast<std::size_t>(&axis - design.axes.data());
+  const std::vector<Range> held =
+      ta ? held_ranges(design, summaries, number) : std::vector<Range>{};
+  const std::string lag = varied == "flow_lag" ? "flow_lag steps"
+                          : design.base.flow_lag == 1
+                              ? "1 step"
+                              : std::to_string(design.base.flow_lag) + " steps";
+  const bool has_sd = std::any_of(summaries.begin(), summaries.end(), [](const Summary& summary) {
+    return summary.observables.back().mean >= 0;  // NaN where the means are of one step
+  });
+  std::string note;
   if (design.seeds > 1) {
-    s << "  set label 4 '" << (words ? "bars" : "bands") << ": ± 1 standard deviation over "
-      << design.seeds << " seeds' at screen 0.985, 0.018 right tc '#666666'\n";
+    note = std::string(curves.words ? "bars" : "bands") + ": ± 1 standard deviation over " +
+           std::to_string(design.seeds) + " seeds";
   }
+  if (!held.empty()) {
+    note = "shaded: mean T_{b} within " + io::number_text(kHeld) + " of T_{p}" +
+           (note.empty() ? "" : ";   ") + note;
+  }
+  std::ostringstream s;
+  s << opening(design, 1200, 900)
+    << "  set multiplot layout 2,2 margins 0.05,0.92,0.12,0.95 spacing 0.12,0.13\n"
+    << "  set xlabel \"" << label(*axis.parameter) << "\"\n"
+    << "  set style fill transparent solid 0.2 noborder\n  set key top left Left reverse samplen 2 "
+       "textcolor "
+       "'#444444'\n"
+    << shades(held);
+  if (curves.words) s << "  set xrange [-0.5:" << axis.values.size() << " - 0.5]\n";
+  if (!note.empty())
+    s << "  set label 4 '" << note << "' at screen 0.92, 0.02 right tc '#666666'\n";
   for (const Panel& panel : kFourPanels) {
-    const std::string column(panel.column), sd = column + "_sd";
+    const std::string column(panel.column);
+    const bool first = column == "mean_tb", flow = column == "flow";
     s << "\n  set label 3 \"" << panel.title << "\" at graph 0, graph 1.05 left\n";
-    const bool first = column == "mean_tb";
-    if (!first) s << "  unset label 4\n";  // drawn with the first panel
+    if (!first) s << "  unset label 4\n  unset label 5\n";  // drawn with the first panel
     if (ta) s << marks(design, axis, first);
-    s << "  plot ";
-    if (!words) {
-      s << "'summary.csv' using " << x << "(column('" << column << "') - column('" << sd
-        << "')):(column('" << column << "') + column('" << sd
-        << "')) with filledcurves lc '#31688e' notitle, \\\n       ";
-    } else {
-      s << "'summary.csv' using " << x << "(column('" << column << "')):(column('" << sd
-        << "')) with yerrorbars pt 0 lw 1.5 lc '#31688e' notitle, \\\n       ";
+    s << start_of_axis(summaries, first);
+    if (flow) {
+      s << "  set border 11\n  set y2range [0:*]\n  set y2tics nomirror out textcolor '" << kOrange
+        << "'\n  set ytics textcolor '" << kBlue << "'\n"
+        << "  set ylabel 'pup flow |ΔA|/Δt over " << lag << "  (1/s)' textcolor '" << kBlue
+        << "' offset 1,0\n"
+        << "  set y2label 'standard deviation of A over time' textcolor '" << kOrange << "'\n";
     }
+    s << "  plot ";
     if (ta && first) s << "x with lines dt 4 lc '#888888' title 'T_{b} = T_{a}', \\\n       ";
-    s << "'summary.csv' using " << x << "(column('" << column << "'))" << ticks
-      << (words ? " with points" : " with linespoints lw 1.8")
-      << " pt 7 ps 0.6 lc '#31688e' notitle\n";
+    s << curves.of(column, kBlue, "x1y1", 0, flow ? "title 'pup flow (left)'" : "notitle");
+    if (flow && has_sd) {
+      s << ", \\\n       "
+        << curves.of("exposed_sd", kOrange, "x1y2", 0.08, "title 'sd of A (right)'");
+    }
+    s << '\n';
   }
+  // As before panel D, for the other format.
+  s << "  set border 3\n  unset y2tics\n  unset y2label\n  unset ylabel\n"
+    << "  set y2range [*:*]\n  set ytics textcolor '#222222'\n";
   s << "  unset multiplot\n  unset output\n}\n";
   return s.str();
 }
@@ -172,9 +250,9 @@ std::vector<const Axis*> plotted_axes(const Design& design) {
   return axes;
 }
 
-std::string plot_script(const Design& design) {
+std::string plot_script(const Design& design, const std::vector<Summary>& summaries) {
   const std::vector<const Axis*> axes = plotted_axes(design);
-  if (axes.size() == 1) return four_panels(design, *axes[0]);
+  if (axes.size() == 1) return four_panels(design, *axes[0], summaries);
   if (axes.size() == 2) return heat_maps(design, *axes[0], *axes[1]);
   return {};
 }

@@ -2,15 +2,82 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdarg>
 #include <cstdio>
 
 namespace pupflow::study {
 namespace {
 
-constexpr double kWarm = 0.6;  // from here on the litter has dispersed
-enum Index { kHuddling = 1, kFlow = 4 };
+enum Index { kMeanTb = 0, kHuddling = 1, kFlow = 4, kExposedSd = 6 };  // of observable()
+
+double mean_of(const Summary& summary, Index index) {
+  return summary.observables[index].mean;
+}
+
+Peak peak_of(const std::vector<Summary>& summaries, Index index) {
+  const Summary& highest = *std::max_element(
+      summaries.begin(), summaries.end(),
+      [&](const Summary& a, const Summary& b) { return mean_of(a, index) < mean_of(b, index); });
+  return {highest.values[0], mean_of(highest, index)};
+}
+
+/// The part of the way from `a` to `b` on which a value that goes straight from `at_a` to `at_b` is
+/// within kHeld of 0.
+std::optional<Range> held_between(double a, double b, double at_a, double at_b) {
+  double from = 0, to = 1;
+  const double change = at_b - at_a;
+  if (change == 0) {
+    if (std::abs(at_a) > kHeld) return std::nullopt;
+  } else {
+    const double one = (-kHeld - at_a) / change, other = (kHeld - at_a) / change;
+    from = std::max(from, std::min(one, other));
+    to = std::min(to, std::max(one, other));
+    if (!(from < to)) return std::nullopt;
+  }
+  return Range{from == 0 ? a : a + from * (b - a), to == 1 ? b : a + to * (b - a)};
+}
+
+[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
+  char text[256];
+  std::va_list values;
+  va_start(values, pattern);
+  std::vsnprintf(text, sizeof text, pattern, values);
+  va_end(values);
+  return text;
+}
+
+std::string held_text(const std::vector<Range>& held) {
+  if (held.empty()) return format("mean T_b is within %g of T_p at no T_a of this sweep\n", kHeld);
+  std::string text = format("mean T_b is within %g of T_p over T_a ", kHeld);
+  for (std::size_t i = 0; i < held.size(); ++i)
+    text += (i == 0 ? "" : ", ") + format("%.3f to %.3f", held[i].from, held[i].to);
+  return text + "\n";
+}
 
 }  // namespace
+
+std::vector<Range> held_ranges(const Design& design, const std::vector<Summary>& summaries,
+                               std::size_t axis) {
+  std::vector<const Summary*> rising;
+  for (const Summary& summary : summaries) rising.push_back(&summary);
+  std::sort(rising.begin(), rising.end(),
+            [&](const Summary* a, const Summary* b) { return a->values[axis] < b->values[axis]; });
+  std::vector<Range> ranges;
+  for (std::size_t i = 1; i < rising.size(); ++i) {
+    const Summary &a = *rising[i - 1], &b = *rising[i];
+    if (a.runs == 0 || b.runs == 0) continue;
+    const double tp = design.params_of(0).tp;
+    const auto range = held_between(a.values[axis], b.values[axis], mean_of(a, kMeanTb) - tp,
+                                    mean_of(b, kMeanTb) - tp);
+    if (!range) continue;
+    if (!ranges.empty() && ranges.back().to == range->from) {
+      ranges.back().to = range->to;
+    } else {
+      ranges.push_back(*range);
+    }
+  }
+  return ranges;
+}
 
 std::optional<Transition> find_transition(const Design& design,
                                           const std::vector<Summary>& summaries) {
@@ -22,54 +89,32 @@ std::optional<Transition> find_transition(const Design& design,
   for (const Summary& s : summaries) {
     if (s.runs == 0) return std::nullopt;
   }
-  Transition t{0, 0, 0, -1, {}};
-  double steepest = 0, warm = 0;
-  int warm_count = 0;
-  for (std::size_t i = 0; i < summaries.size(); ++i) {
-    const double ta = summaries[i].values[0], flow = summaries[i].observables[kFlow].mean;
-    if (flow > t.flow_peak) {
-      t.flow_peak = flow;
-      t.flow_peak_ta = ta;
-    }
-    if (ta >= kWarm) {
-      warm += flow;
-      ++warm_count;
-    }
-    if (i == 0) continue;
-    const Summary& before = summaries[i - 1];
-    const double slope =
-        (before.observables[kHuddling].mean - summaries[i].observables[kHuddling].mean) /
-        (ta - before.values[0]);
-    if (slope > steepest || i == 1) {
+  Transition t{std::nullopt, peak_of(summaries, kExposedSd), peak_of(summaries, kFlow),
+               held_ranges(design, summaries, 0)};
+  double steepest = 0;
+  for (std::size_t i = 1; i < summaries.size(); ++i) {
+    const Summary &before = summaries[i - 1], &after = summaries[i];
+    const double slope = (mean_of(before, kHuddling) - mean_of(after, kHuddling)) /
+                         (after.values[0] - before.values[0]);
+    if (slope > steepest) {
       steepest = slope;
-      t.steepest_from = before.values[0];
-      t.steepest_to = ta;
+      t.steepest = Range{before.values[0], after.values[0]};
     }
   }
-  if (warm_count > 0) t.warm_flow = warm / warm_count;
   return t;
 }
 
 std::string transition_text(const Design& design, const Transition& t) {
-  char line[256];
-  std::snprintf(line, sizeof line, "1 - A falls most steeply between T_a %.4g and %.4g",
-                t.steepest_from, t.steepest_to);
-  std::string text = line;
-  if (design.base.k1 > 0) {
-    std::snprintf(line, sizeof line, "; T_p - G/k1 = %.4g",
-                  design.base.tp - design.base.g / design.base.k1);
-    text += line;
-  }
-  text += "\n";
-  std::snprintf(line, sizeof line, "pup flow is highest, %.4g /s, at T_a %.4g", t.flow_peak,
-                t.flow_peak_ta);
-  text += line;
-  if (t.warm_flow && *t.warm_flow > 0) {
-    std::snprintf(line, sizeof line, ": %.3g times its mean over T_a >= 0.6",
-                  t.flow_peak / *t.warm_flow);
-    text += line;
-  }
-  return text + "\n";
+  std::string text = t.steepest ? format("1 - A falls most steeply between T_a %.3f and %.3f",
+                                         t.steepest->from, t.steepest->to)
+                                : "1 - A falls nowhere";
+  if (design.base.k1 > 0)
+    text += format("; T_p - G/k1 = %.3f", design.base.tp - design.base.g / design.base.k1);
+  text += format("\nthe standard deviation of A is highest, %.3g, at T_a %.3f\n",
+                 t.exposed_sd.value, t.exposed_sd.ta);
+  text += format("pup flow (lag %lld) is highest, %.3g /s, at T_a %.3f\n",
+                 static_cast<long long>(design.base.flow_lag), t.flow.value, t.flow.ta);
+  return text + held_text(t.held);
 }
 
 }  // namespace pupflow::study

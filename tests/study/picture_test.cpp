@@ -42,7 +42,7 @@ TEST_F(Picture, OfFigure2CarriesItsManifestInBothFormats) {
               AllOf(Contains(Pair("manifest", manifest)), Contains(Pair("steps", "40")),
                     Contains(Pair("seed", "1"))));
   const io::Image image = io::read_png(path("figure2/figure2.png"));
-  EXPECT_EQ(image.width, 1100);
+  EXPECT_EQ(image.width, 1200);
   const std::string svg = contents(path("figure2/figure2.svg"));
   EXPECT_THAT(svg, AllOf(HasSubstr(manifest), HasSubstr("<svg"), HasSubstr("</svg>")));
 }

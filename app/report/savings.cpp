@@ -25,10 +25,11 @@ constexpr std::chrono::seconds kPatience{5};  // for measuring, whatever the siz
 /// One run of the scene and the time that its steps take.
 class Run {
  public:
-  Run(const Params& params, const Plan& forced, bool observed) : simulation_(params) {
-    simulation_.set_observed(observed);
+  Run(const Params& params, const Plan& forced, std::optional<ObservableSet> wanted = std::nullopt)
+      : simulation_(params) {
+    simulation_.set_observed(wanted.has_value());
     simulation_.force_plan(forced);
-    if (observed) observer_.emplace(simulation_);
+    if (wanted) observer_.emplace(simulation_, *wanted);
   }
 
   void step(StageListener* listener = nullptr) {
@@ -127,26 +128,28 @@ Agreement agreement(const Simulation& planned, const Simulation& forced) {
 struct Field {
   explicit Field(const Params& params)
       : omissions(omissions_of(params)),
-        planned(params, {}, false),
-        watched(params, {}, true),
-        full(params, everything(), true) {
-    for (const Omission& omission : omissions) forced.emplace_back(params, omission.more, false);
+        planned(params, {}),
+        glanced(params, {}, ObservableSet().add(Observable::mean_tb)),
+        watched(params, {}, ObservableSet::all()),
+        full(params, everything(), ObservableSet::all()) {
+    for (const Omission& omission : omissions) forced.emplace_back(params, omission.more);
     if (planned.simulation().plan().has(pupflow::Part::quadratic)) {
       Params rigid = params;
       rigid.beta = 0;
-      twin.emplace(rigid, Plan{}, false);
+      twin.emplace(rigid, Plan{});
     }
   }
 
   std::vector<Run*> all() {
-    std::vector<Run*> runs{&planned, &watched, &full};
+    std::vector<Run*> runs{&planned, &glanced, &watched, &full};
     for (Run& run : forced) runs.push_back(&run);
     if (twin) runs.push_back(&*twin);
     return runs;
   }
 
   std::vector<Omission> omissions;
-  Run planned, watched, full;
+  Run planned, glanced, watched,
+      full;                 // nobody looks; at one observable; at all of them; and forced
   std::deque<Run> forced;   // one for each omission
   std::optional<Run> twin;  // with beta = 0, where the scene has quadratic terms: what they cost
 };
@@ -202,12 +205,19 @@ std::vector<Part> parts_of(const Field& field) {
       parts.push_back({std::string(part_name(pupflow::Part::quadratic)), true, true, "", cost});
     }
   }
-  Part observables{"observables", false, false,
-                   "worked out only for steps that somebody asks about"};
+  Part observables{
+      "observables", false, false,
+      "worked out only for steps that somebody asks about: a sweep asks for none until "
+      "its means are near"};
   observables.planned = median(field.planned.observing);
   observables.forced = median(field.watched.observing);
   observables.agreement = agreement(field.planned.simulation(), field.watched.simulation());
   parts.push_back(observables);
+  if (field.planned.simulation().pups() == 0) return parts;
+  Part others{"all but mean T_b", true, false, "an observer works out what it is asked for"};
+  others.forced = median_difference(field.glanced.observing, field.watched.observing);
+  others.agreement = agreement(field.glanced.simulation(), field.watched.simulation());
+  parts.push_back(others);
   return parts;
 }
 

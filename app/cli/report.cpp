@@ -9,6 +9,7 @@
 #include "app/report/error.h"
 #include "app/report/error_own.h"
 #include "app/report/stability.h"
+#include "app/report/validation.h"
 
 namespace pupflow::cli {
 namespace {
@@ -21,7 +22,8 @@ struct Kind {
 };
 
 constexpr Kind kKinds[] = {{"error", report::report_error, report::report_own_error},
-                           {"stability", report::report_stability}};
+                           {"stability", report::report_stability},
+                           {"validation", report::report_validation}};
 
 struct Wishes {
   std::string kind;
@@ -123,11 +125,13 @@ void work(const Wishes& wishes) {
 Verb add_report(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "report",
-      "Measure the program, or a run of your own: error against run time, and what is stable");
+      "Measure the program, or a run of your own: error against run time, what is stable, and "
+      "what the model does");
   const auto wishes = std::make_shared<Wishes>();
   app->add_option("KIND", wishes->kind,
                   "error: error against run time, scene by scene, or of SCENE; stability: maps of "
-                  "what is stable, and extreme scenes")
+                  "what is stable, and extreme scenes; validation: what the model does, beside "
+                  "what the paper says")
       ->option_text(" ");
   CommonHelp help;
   help.settings = "with 'error' alone";

@@ -1,0 +1,39 @@
+// One observable after the other over T_a, for each reading of the contact rule.
+#pragma once
+
+#include "app/report/validation_runs.h"
+
+namespace pupflow::report {
+
+/// A reading of the contact rule, and its name as a parameter value.
+struct Reading {
+  const char* name;
+  ContactRule rule;
+};
+constexpr Reading kReadings[] = {
+    {"nearest", ContactRule::nearest}, {"mean", ContactRule::mean}, {"sum", ContactRule::sum}};
+
+/// Places of the numbers of a run.
+enum Number : std::size_t { kTb, kHuddling, kGroups, kLargest, kFlow, kExposedSd };
+
+/// The means of one run over its steps after `discard`, in that order.
+std::vector<double> measure_reading(const Params& params);
+
+/// One reading over T_a.
+struct Curve {
+  std::string reading;
+  std::vector<double> ta;
+  std::vector<std::vector<Estimate>> means;  // [temperature][Number]
+  std::vector<double> slope;                 // |dA/dT_a| by central differences
+  std::vector<double> held;                  // T_a* = T_p - G/(k1 A)
+};
+
+/// The highest mean of a number among T_a from 0.3 to 0.6, where the paper sees the transition.
+struct Peak {
+  double ta, height;
+  double above;  // over the lowest mean at lower T_a and over that at higher T_a, whichever is
+                 // less, in standard errors of the difference; 0 at an end of the whole range
+};
+Peak peak_of(const Curve& curve, std::size_t number);
+
+}  // namespace pupflow::report

@@ -1,0 +1,47 @@
+// Many whole runs of the validation report, and what their seeds come to.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/report/report.h"
+#include "engine/simulation.h"
+
+namespace pupflow::report {
+
+/// A mean over seeds, with its standard error (NaN below two seeds).
+struct Estimate {
+  double mean = 0, error = 0;
+};
+
+/// The mean of `values` and its standard error, sd / sqrt(count).
+Estimate estimate(std::span<const double> values);
+
+/// "0.581 ± 0.015": the error in two significant digits, the mean to the same place.
+std::string text_of(const Estimate& estimate);
+
+/// One step. Throws io::Failure: interrupted when Ctrl-C came, bad_numbers when the status is bad.
+void step_on(Simulation& simulation);
+
+/// The numbers that one whole run comes to, always as many.
+using Measure = std::function<std::vector<double>(const Params&)>;
+
+/// Makes a run with each of `settings` and each seed 1 ... `seeds`, on all threads of `options`.
+/// Gives the numbers of the run with seed s + 1 as [setting][number][s]. Shows progress as `what`.
+/// Throws what `measure` throws, and io::Failure(interrupted).
+std::vector<std::vector<std::vector<double>>> all_runs(const std::string& what,
+                                                       const std::vector<Params>& settings,
+                                                       int seeds, const Options& options,
+                                                       const Measure& measure);
+
+/// The same, each number averaged over the seeds: [setting][number].
+std::vector<std::vector<Estimate>> means_of_runs(const std::string& what,
+                                                 const std::vector<Params>& settings, int seeds,
+                                                 const Options& options, const Measure& measure);
+
+/// `count` evenly spaced numbers from `from` to `to`, both among them.
+std::vector<double> spaced(double from, double to, int count);
+
+}  // namespace pupflow::report

@@ -1,0 +1,124 @@
+// What a run's window changes: the paper's steps 501 to 1500 beside later ones.
+#include <array>
+
+#include "app/report/validation_readings.h"
+#include "app/report/validation_sections.h"
+#include "engine/metrics.h"
+
+namespace pupflow::report {
+namespace {
+
+struct Window {
+  const char* name;
+  std::int64_t discard, steps;  // steps discard + 1 ... steps
+};
+constexpr Window kWindows[] = {
+    {"501–1500", 500, 1500}, {"2501–4000", 2500, 4000}, {"3001–6000", 3000, 6000}};
+
+/// The numbers of measure_reading for each window that a run of `params.steps` steps covers.
+std::vector<double> measure_windows(const Params& params) {
+  Simulation simulation(params);
+  Observer observer(simulation);
+  std::vector<RunMeans> means;
+  for (const Window& window : kWindows) means.emplace_back(window.discard);
+  std::vector<double> numbers;
+  while (simulation.steps_done() < params.steps) {
+    step_on(simulation);
+    const Observables& now = observer.observe(simulation);
+    for (std::size_t i = 0; i < std::size(kWindows); ++i) {
+      if (simulation.steps_done() <= kWindows[i].steps) means[i].add(simulation, now);
+      if (simulation.steps_done() != kWindows[i].steps) continue;
+      const Observables o = means[i].means();
+      numbers.insert(numbers.end(),
+                     {o.mean_tb, o.huddling, o.groups, o.largest, o.flow, means[i].exposed_sd()});
+    }
+  }
+  return numbers;
+}
+
+constexpr std::array<const char*, 6> kNames{"mean_tb", "huddling", "groups",
+                                            "largest", "flow",     "exposed_sd"};
+
+void show(Report& report, const std::string& name, const std::vector<Params>& settings,
+          const std::vector<std::vector<Estimate>>& means) {
+  std::string columns = "contact,ta,window";
+  for (const std::string number : kNames) columns += "," + number + "," + number + "_se";
+  io::CsvFile csv = report.csv(name, Params{}, columns);
+  std::vector<io::Row> rows{{"contact", "T_a", "steps", "mean T_b", "1 − A", "groups", "largest",
+                             "flow, lag 1", "sd of A"}};
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const std::string reading = kReadings[static_cast<std::size_t>(settings[i].contact)].name;
+    for (std::size_t window = 0; window < means[i].size() / kNames.size(); ++window) {
+      csv.cell(std::string_view(reading)).cell(settings[i].ta).cell(kWindows[window].name);
+      rows.push_back({reading, rounded(settings[i].ta), kWindows[window].name});
+      for (std::size_t n = 0; n < kNames.size(); ++n) {
+        const Estimate& number = means[i][window * kNames.size() + n];
+        csv.cell(number.mean).cell(number.error);
+        rows.back().push_back(text_of(number));
+      }
+      csv.end_row();
+    }
+  }
+  csv.commit();
+  report.table(rows);
+}
+
+void add_figure(Report& report) {
+  std::string body =
+      "  set multiplot layout 1,3 margins 0.06,0.985,0.15,0.9 spacing 0.075,0\n"
+      "  set xlabel 'ambient temperature T_a'\n  set yrange [0:*]\n  set grid lc '#dddddd'\n";
+  const char* const panels[][2] = {{"huddling", "huddling 1 − A"},
+                                   {"flow", "pup flow, lag 1 (1/s)"},
+                                   {"exposed_sd", "standard deviation of A"}};
+  for (const auto& panel : panels) {
+    body += "  set title '" + std::string(panel[1]) + "'\n";
+    body += &panel == &panels[0] ? "  set key bottom left Left reverse\n" : "  unset key\n";
+    std::string plots;
+    const char* const colors[] = {"#999999", "#0072B2"};
+    for (std::size_t window = 0; window < 2; ++window) {
+      const std::string name = kWindows[window].name, column = panel[0];
+      plots += (window > 0 ? ", \\\n       " : "") +
+               ("'window.csv' using (strcol('window') eq '" + name + "' ? column('ta') : NaN):'") +
+               column + "':(2*column('" + column +
+               "_se')) with yerrorlines pt 7 ps 0.6 lw 1.6 lc '" + colors[window] +
+               "' title 'steps " + name + "'";
+    }
+    body += "  plot " + plots + "\n";
+  }
+  report.figure("window", "The paper's window and a settled one; bars are two standard errors",
+                body + "  unset multiplot\n", Params{}, 1180, 400);
+}
+
+}  // namespace
+
+void window_section(Report& report) {
+  const Options& options = report.options();
+  report.heading("The paper's window and settled litters");
+  report.text(
+      "The same litters in the paper's window, steps 501 to 1500, and later. Where two rows "
+      "differ by several standard errors, the earlier one is not settled.");
+  std::vector<Params> settings;
+  for (const double ta : options.quick ? std::vector{0.4, 0.55} : spaced(0.3, 0.65, 15)) {
+    settings.emplace_back();
+    settings.back().ta = ta;
+    settings.back().steps = kWindows[1].steps;
+  }
+  show(report, "window", settings,
+       means_of_runs("window", settings, options.quick ? 2 : 20, options, measure_windows));
+  add_figure(report);
+  report.text("Longer, with all readings:");
+  settings.clear();
+  for (const Reading& reading : kReadings) {
+    for (const double ta :
+         options.quick ? std::vector{0.55} : std::vector{0.2, 0.4, 0.5, 0.55, 0.6, 0.8}) {
+      settings.emplace_back();
+      settings.back().ta = ta;
+      settings.back().contact = reading.rule;
+      settings.back().steps = kWindows[2].steps;
+    }
+  }
+  show(report, "window_long", settings,
+       means_of_runs("long window", settings, options.quick ? 1 : 8, options, measure_windows));
+}
+
+}  // namespace pupflow::report

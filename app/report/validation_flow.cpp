@@ -63,11 +63,11 @@ void flow_section(Report& report) {
       "columns say how often A changed by one point, of the steps in which it changed at all, and "
       "how often it did not change.");
   std::vector<Params> settings;
-  for (const double ta : options.quick ? std::vector{0.2, 0.5, 0.8} : spaced(0, 1, 24)) {
+  for (const double ta : options.quick ? std::vector{0.2, 0.5, 0.8} : spaced(0, 1, 21)) {
     settings.push_back(base);
     settings.back().ta = ta;
   }
-  const auto means = means_of_runs("flow", settings, options.quick ? 2 : 20, options, measure_flow);
+  const auto means = means_of_runs("flow", settings, options.quick ? 2 : 8, options, measure_flow);
   std::string columns = "ta";
   std::vector<io::Row> rows{{"T_a"}};
   for (const std::int64_t lag : kLags) {
@@ -94,9 +94,9 @@ void flow_section(Report& report) {
     const std::string name = "flow_" + std::to_string(kLags[i]);
     plots += (i > 0 ? ", \\\n       " : "") + ("'flow.csv' using 'ta':'" + name) + "':(2*column('" +
              name + "_se')) with yerrorlines pt 7 ps 0.6 lw 1.6 lc '" + colors[i] +
-             "' title 'lag " + std::to_string(kLags[i]) + " steps'";
+             "' title 'lag " + std::to_string(kLags[i]) + "'";
   }
-  report.figure("flow", "Pup flow over four lags; bars are two standard errors",
+  report.figure("flow", "Pup flow over four lags, in steps; bars are two standard errors",
                 "  set xlabel 'ambient temperature T_a'\n  set ylabel 'pup flow (1/s)'\n"
                 "  set yrange [0:*]\n  set grid lc '#dddddd'\n  set key top left Left reverse\n"
                 "  plot " +

@@ -76,7 +76,7 @@ void heat_section(Report& report) {
     }
   }
   const auto means =
-      means_of_runs("heat", settings, options.quick ? 2 : 10, options,
+      means_of_runs("heat", settings, options.quick ? 2 : 6, options,
                     [](const Params& params) -> std::vector<double> {
                       const HeatBalance b = heat_balance(params);
                       return {b.change, b.made, b.lost, b.exchanged, b.exchanged / b.made, b.moved};

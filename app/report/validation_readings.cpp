@@ -257,7 +257,11 @@ Peak peak_of(const Curve& curve, std::size_t number) {
 void readings_section(Report& report) {
   const bool quick = report.options().quick;
   show_heading(report, Heading::course, quick ? 5 : 24, quick ? 2 : 20);
-  if (!quick) show_heading(report, Heading::body, 24, 10);
+}
+
+void body_section(Report& report) {
+  const bool quick = report.options().quick;
+  show_heading(report, Heading::body, quick ? 3 : 13, quick ? 1 : 6);
 }
 
 }  // namespace pupflow::report

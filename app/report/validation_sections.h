@@ -30,4 +30,7 @@ void heat_section(Report& report);
 /// What pup numbers and a mirror change.
 void symmetry_section(Report& report);
 
+/// The three readings with heading = body.
+void body_section(Report& report);
+
 }  // namespace pupflow::report

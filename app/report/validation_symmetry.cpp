@@ -118,11 +118,11 @@ std::vector<double> partings(const Params& params, std::int64_t most) {
 
 void partings_table(Report& report) {
   const Options& options = report.options();
-  const std::int64_t most = options.quick ? 50 : 2000;
+  const std::int64_t most = options.quick ? 50 : 1000;
   std::vector<Params> settings(2);
   settings[0].ta = settings[1].ta = 0.2;
   settings[1].heading = Heading::body;
-  const auto runs = all_runs("partings", settings, options.quick ? 2 : 10, options,
+  const auto runs = all_runs("partings", settings, options.quick ? 2 : 7, options,
                              [&](const Params& params) { return partings(params, most); });
   const char* const titles[] = {"other numbers, on the floor", "other numbers, in the air",
                                 "mirrored, on the floor"};
@@ -145,7 +145,7 @@ void partings_table(Report& report) {
 
 void means_table(Report& report) {
   const Options& options = report.options();
-  const std::size_t seeds = options.quick ? 2 : 40;
+  const std::size_t seeds = options.quick ? 2 : 20;
   std::vector<Params> settings(2);
   settings[0].ta = settings[1].ta = 0.2;
   settings[1].heading = Heading::body;

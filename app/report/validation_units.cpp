@@ -88,7 +88,7 @@ void units_section(Report& report) {
     }
   }
   const auto means =
-      means_of_runs("units", settings, options.quick ? 2 : 20, options, measure_scaled);
+      means_of_runs("units", settings, options.quick ? 2 : 10, options, measure_scaled);
   io::CsvFile csv = report.csv("units", Params{},
                                "ta,factor,mean_tb,mean_tb_se,huddling,huddling_se,groups,"
                                "groups_se,largest,largest_se,flow,flow_se,highest,highest_se");

@@ -11,7 +11,7 @@ constexpr double kNear = 1.6;
 
 std::vector<std::int64_t> looks(bool quick) {
   if (quick) return {0, 500, 1500, 3000};
-  return {0, 500, 1500, 3000, 6000, 12000, 24000};
+  return {0, 500, 1500, 3000, 6000, 12000};
 }
 
 /// At each look, over the 100 steps up to it: the share of pups beyond kNear, and that share among
@@ -58,7 +58,7 @@ void wall_section(Report& report) {
   settings.emplace_back();
   settings.back().pups = 1;
   rows[0].emplace_back("one pup alone");
-  const auto means = means_of_runs("places", settings, options.quick ? 2 : 10, options,
+  const auto means = means_of_runs("places", settings, options.quick ? 2 : 6, options,
                                    [&](const Params& p) { return measure_places(p, at); });
   io::CsvFile csv = report.csv("wall", Params{}, "pups,ta,step,beyond,beyond_se");
   for (std::size_t look = 0; look < at.size(); ++look) {

@@ -46,17 +46,27 @@ void show(Report& report, const std::string& name, const std::vector<Params>& se
   io::CsvFile csv = report.csv(name, Params{}, columns);
   std::vector<io::Row> rows{{"contact", "T_a", "steps", "mean T_b", "1 − A", "groups", "largest",
                              "flow, lag 1", "sd of A"}};
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    const std::string reading = kReadings[static_cast<std::size_t>(settings[i].contact)].name;
-    for (std::size_t window = 0; window < means[i].size() / kNames.size(); ++window) {
-      csv.cell(std::string_view(reading)).cell(settings[i].ta).cell(kWindows[window].name);
-      rows.push_back({reading, rounded(settings[i].ta), kWindows[window].name});
+  const auto reading = [&](std::size_t i) {
+    return kReadings[static_cast<std::size_t>(settings[i].contact)].name;
+  };
+  const std::size_t windows = means[0].size() / kNames.size();
+  // The file has a window's rows together, since a plot joins them; the page those of a T_a.
+  for (std::size_t window = 0; window < windows; ++window) {
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+      csv.cell(reading(i)).cell(settings[i].ta).cell(kWindows[window].name);
       for (std::size_t n = 0; n < kNames.size(); ++n) {
         const Estimate& number = means[i][window * kNames.size() + n];
         csv.cell(number.mean).cell(number.error);
-        rows.back().push_back(text_of(number));
       }
       csv.end_row();
+    }
+  }
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    for (std::size_t window = 0; window < windows; ++window) {
+      rows.push_back({reading(i), rounded(settings[i].ta), kWindows[window].name});
+      for (std::size_t n = 0; n < kNames.size(); ++n) {
+        rows.back().push_back(text_of(means[i][window * kNames.size() + n]));
+      }
     }
   }
   csv.commit();
@@ -66,7 +76,8 @@ void show(Report& report, const std::string& name, const std::vector<Params>& se
 void add_figure(Report& report) {
   std::string body =
       "  set multiplot layout 1,3 margins 0.06,0.985,0.15,0.9 spacing 0.075,0\n"
-      "  set xlabel 'ambient temperature T_a'\n  set yrange [0:*]\n  set grid lc '#dddddd'\n";
+      "  set xlabel 'ambient temperature T_a'\n  set xtics 0.1\n  set yrange [0:*]\n  set grid lc "
+      "'#dddddd'\n";
   const char* const panels[][2] = {{"huddling", "huddling 1 − A"},
                                    {"flow", "pup flow, lag 1 (1/s)"},
                                    {"exposed_sd", "standard deviation of A"}};
@@ -104,7 +115,7 @@ void window_section(Report& report) {
     settings.back().steps = kWindows[1].steps;
   }
   show(report, "window", settings,
-       means_of_runs("window", settings, options.quick ? 2 : 20, options, measure_windows));
+       means_of_runs("window", settings, options.quick ? 2 : 8, options, measure_windows));
   add_figure(report);
   report.text("Longer, with all readings:");
   settings.clear();
@@ -118,7 +129,7 @@ void window_section(Report& report) {
     }
   }
   show(report, "window_long", settings,
-       means_of_runs("long window", settings, options.quick ? 1 : 8, options, measure_windows));
+       means_of_runs("long window", settings, options.quick ? 1 : 4, options, measure_windows));
 }
 
 }  // namespace pupflow::report

@@ -125,6 +125,9 @@ Comparison compare_summaries(const std::string& first, const std::string& second
       if (name != kCompared[0]) continue;
       comparison.largest_tb =
           std::max(comparison.largest_tb, std::abs(a.number(row, name) - b.number(row, name)));
+      if (!std::isnan(z)) {
+        comparison.largest_tb_errors = std::max(comparison.largest_tb_errors, std::abs(z));
+      }
     }
   }
   const std::size_t count =
@@ -135,7 +138,7 @@ Comparison compare_summaries(const std::string& first, const std::string& second
 
 std::string comparison_text(const Comparison& comparison) {
   std::string text = "difference of the means in combined standard errors\n";
-  char cell[64];
+  char cell[96];
   for (const std::string& name : comparison.varied) {
     std::snprintf(cell, sizeof cell, "%12s", name.c_str());
     text += cell;
@@ -163,8 +166,8 @@ std::string comparison_text(const Comparison& comparison) {
     std::snprintf(cell, sizeof cell, ", %d left out for want of runs", comparison.unknown);
     text += cell;
   }
-  std::snprintf(cell, sizeof cell, ", rms %.2f, mean_tb within %.4f\n", comparison.rms,
-                comparison.largest_tb);
+  std::snprintf(cell, sizeof cell, ", rms %.2f, mean_tb within %.4f and %.1f standard errors\n",
+                comparison.rms, comparison.largest_tb, comparison.largest_tb_errors);
   return text + cell;
 }
 

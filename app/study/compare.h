@@ -23,6 +23,7 @@ struct Comparison {
   int unknown = 0;        // points where a file has fewer than two runs, so no standard error
   double rms = 0;         // root mean square of all other standard_errors
   double largest_tb = 0;  // largest difference of mean_tb
+  double largest_tb_errors = 0;  // the same in standard errors, where these are known
 };
 
 /// Compares mean_tb, huddling, groups, largest and flow. Varied parameters must be the same and

@@ -54,10 +54,14 @@ TEST_F(Compared, DifferencesAreInCombinedStandardErrors) {
   EXPECT_EQ(comparison.beyond_three, 2);
   EXPECT_NEAR(comparison.rms, std::sqrt((100 / 5.0 + 3.75 * 3.75) / 5), 1e-12);
   EXPECT_EQ(comparison.largest_tb, 10);
+  EXPECT_NEAR(comparison.largest_tb_errors, 10 / std::sqrt(5.0), 1e-12);
   const std::string text = comparison_text(comparison);
   EXPECT_THAT(text, HasSubstr("+4.5"));
   EXPECT_THAT(text, HasSubstr("-3.8"));
-  EXPECT_THAT(text, HasSubstr("2 of 5 points beyond 3, rms 2.61, mean_tb within 10.0000"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "2 of 5 points beyond 3, rms 2.61, mean_tb within 10.0000 and 4.5 standard errors"));
 }
 
 TEST_F(Compared, PointsWithoutSpreadAreCountedApart) {

@@ -226,6 +226,7 @@ void show_heading(Report& report, Heading heading, int temperatures, int seeds) 
 std::vector<double> measure_reading(const Params& params) {
   Simulation simulation(params);
   RunMeans means(params.discard);
+  while (simulation.steps_done() < params.discard) step_on(simulation);
   Observer observer(simulation);
   while (simulation.steps_done() < params.steps) {
     step_on(simulation);

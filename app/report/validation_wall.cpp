@@ -14,8 +14,7 @@ std::vector<std::int64_t> looks(bool quick) {
   return {0, 500, 1500, 3000, 6000, 12000};
 }
 
-/// At each look, over the 100 steps up to it: the share of pups beyond kNear, and that share among
-/// pups that touch nobody (NaN where there are none).
+/// At each look the share of pups beyond kNear, over the 100 steps up to it.
 std::vector<double> measure_places(const Params& params, const std::vector<std::int64_t>& looks) {
   Simulation simulation(params);
   std::vector<double> shares;
@@ -28,10 +27,10 @@ std::vector<double> measure_places(const Params& params, const std::vector<std::
       ++steps;
       for (int pup = 0; pup < params.pups; ++pup) {
         const Eigen::Vector3d centre = simulation.centre(pup);
-        beyond += std::hypot(centre.x(), centre.y()) > kNear ? 1.0 / params.pups : 0;
+        beyond += std::hypot(centre.x(), centre.y()) > kNear ? 1 : 0;
       }
     } while (simulation.steps_done() < look);
-    shares.push_back(beyond / steps);
+    shares.push_back(beyond / (steps * params.pups));
   }
   return shares;
 }

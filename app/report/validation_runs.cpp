@@ -21,7 +21,10 @@ Estimate estimate(std::span<const double> values) {
 }
 
 std::string text_of(const Estimate& estimate) {
-  if (!std::isfinite(estimate.error) || estimate.error == 0) return rounded(estimate.mean);
+  // An error of rounding size is none.
+  if (!(estimate.error > 1e-12 * std::abs(estimate.mean)) || !std::isfinite(estimate.error)) {
+    return rounded(estimate.mean);
+  }
   const int places = std::clamp(1 - static_cast<int>(std::floor(std::log10(estimate.error))), 0, 8);
   char text[80];
   std::snprintf(text, sizeof text, "%.*f ± %.*f", places, estimate.mean, places, estimate.error);

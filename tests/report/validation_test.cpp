@@ -33,6 +33,8 @@ TEST(Estimates, ShowAsManyPlacesAsTheErrorHas) {
   EXPECT_EQ(text_of({123.4, 45}), "123 ± 45");
   EXPECT_EQ(text_of({0.5, std::nan("")}), "0.5");
   EXPECT_EQ(text_of({3, 0}), "3");
+  EXPECT_EQ(text_of({1, 5e-17}), "1");
+  EXPECT_EQ(text_of({0, 0}), "0");
 }
 
 TEST(AllRuns, GivesEachSettingAndSeedItsPlaceOnAnyNumberOfThreads) {

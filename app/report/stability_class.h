@@ -1,59 +1,73 @@
-// What a run is called on the maps of the stability report: one of six classes, by what its bodies
-// do in its last quarter.
+// What a run is called on the maps of the stability report: one of nine classes, by what its bodies
+// do in its last quarter and by what the engine says.
 //
-// The paper's litter with its default parameters has to be called stable; the report prints its
-// numbers beside the thresholds.
+// The default litter has to be called stable at every temperature; the report prints its numbers
+// beside the limits.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "engine/params.h"
 #include "engine/status.h"
+#include "engine/warning.h"
 
 namespace pupflow::report {
 
 /// From good to bad. A run that is several of these is called the worst.
-enum class Verdict { stable, ringing, interpenetrating, inverted, escaped, diverged };
-constexpr int kVerdicts = 6;
+enum class Verdict {
+  stable,
+  ringing,
+  overlapping,
+  heating,
+  hanging,
+  sunk,
+  inverted,
+  escaped,
+  diverged
+};
+constexpr int kVerdicts = 9;
 
-std::string_view verdict_name(Verdict verdict);
-
-/// Ringing: the deformation energy (stability_measure.h) of a pup does not settle: its standard
-/// deviation in time, mean over pups, is above this. 0.001 is a swing of all points by some 3 % of
-/// the radius; the ordinary litter has some hundredth of that.
-constexpr double kRingingSwing = 1e-3;
-
-/// Interpenetrating: the nearest two centres are on average nearer than this share of 2 r_pup.
-/// Bodies in contact overlap in this model (contacts move points by a small share of their
-/// overlap): neighbours in the ordinary litter are at 0.4 to 0.7. Below 0.25 a centre lies deep
-/// inside the other body.
-constexpr double kOverlap = 0.25;
-
-/// Inverted: the determinant of the linear map fitted to a pup is below zero in more than this
-/// share of the looks at all pups: it has been turned inside out for longer than a collision lasts.
-constexpr double kInvertedShare = 0.01;
-
-/// Diverged: the step's status went bad (status.h): not finite, or out of all proportion, or
-/// escaped.
-
-/// One run and what was seen in its last quarter, every step.
+/// One run and what was seen in its last quarter.
 struct Trial {
   Verdict verdict = Verdict::stable;
-  Status status;        // when bad, the rest is 0
-  double energy = 0;    // mean deformation energy
-  double swing = 0;     // its standard deviation in time, mean over pups
-  double nearest = 0;   // mean of the nearest centres' distance over 2 r_pup; 0 below two pups
-  double inverted = 0;  // share of looks with a negative determinant
+  Status status;                  // when bad, the numbers below are 0
+  std::vector<Warning> warnings;  // of the engine, the first of each kind
+  double energy = 0;              // mean deformation energy (stability_measure.h)
+  double swing = 0;               // its standard deviation in time, mean over pups
+  /// Mean kinetic energy of a pup, as a share of what a pup can have got since half time: from the
+  /// drive across the arena and from a fall from where the highest pup was, f 2 r_arena + g z.
+  double kinetic = 0;
+  double nearest = 0;   // the nearest other centre over 2 r_pup, mean over pups; 0 below two pups
+  double inside = 0;    // share of all points that lie inside another body (engine/overlap.h)
+  double inverted = 0;  // share of looks at a pup whose fitted linear map has a determinant below 0
 };
+
+/// What makes a run belong to a class. Several of these may, and any will do.
+struct Class {
+  std::string_view name;
+  std::string_view meaning;          // for the page
+  double Trial::*measure = nullptr;  // belongs when this is over the limit
+  double limit = 0;
+  std::optional<Warning::Kind> warning;      // belongs when the engine has warned of this
+  Status::Kind status = Status::Kind::fine;  // belongs when a step ended so
+  std::string_view color;                    // on the maps
+};
+
+/// All classes in the order of Verdict.
+std::span<const Class> classes();
+inline const Class& class_of(Verdict verdict) {
+  return classes()[static_cast<std::size_t>(verdict)];
+}
 
 /// Runs `params.steps` steps and judges. Nothing when `stop`, asked now and then, says so.
 std::optional<Trial> try_litter(const Params& params, const std::function<bool()>& stop);
 
-/// The same for heat alone: a pup that nothing pushes, from T_b(0) to its equilibrium. Ringing: T_b
-/// passes the equilibrium from one side to the other in most steps. Diverged: the status, or T_b
-/// further from equilibrium at the end than at the beginning.
-std::optional<Trial> try_heat(const Params& params, const std::function<bool()>& stop);
+/// A trial that ended in a bad status.
+Trial lost(const Status& status);
 
 }  // namespace pupflow::report

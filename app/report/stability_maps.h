@@ -1,20 +1,24 @@
-// Maps of the stability report: two parameters varied, each cell one run, for two ways of stepping.
+// Maps of the stability report: two parameters varied, for two ways of computing.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/report/report.h"
 #include "app/report/stability_class.h"
 
 namespace pupflow::report {
 
-/// One parameter and its values, rising.
+/// What is varied along one side of a map, and its values, rising.
 struct MapAxis {
-  std::string parameter;  // as in --set
+  std::string name;  // of its CSV column: a parameter, or a ratio of two
   std::string label;
   bool log = false;
   std::vector<double> values;
+  double least = 0, most = 0;  // what a cell may not be drawn beyond
+  double (*get)(const Params&) = nullptr;
+  void (*set)(Params&, double) = nullptr;
 };
 
 /// A curve that theory draws on a map: y as a gnuplot expression of x, or a vertical line.
@@ -31,31 +35,28 @@ struct Method {
   void (*set)(Params&);
 };
 
+/// Judges one run; nothing when it was told to stop.
+using Judge = std::optional<Trial> (*)(const Params&, const std::function<bool()>&);
+
 /// One map: what is varied, about which litter, and what theory says.
 struct StabilityMap {
   std::string name;  // of its files
   std::string title;
   std::string words;  // what is seen, for the page
   MapAxis x, y;
-  Params base;
-  bool heat_alone = false;  // judged by try_heat
   std::vector<Method> methods;
-  std::vector<TheoryLine> lines;
+  Params base;
+  Judge judge = try_litter;
+  int seeds = 3;  // runs of a cell, an odd number
+  std::vector<TheoryLine> lines = {};
 };
 
 /// All maps, coarser ones when `quick`.
 std::vector<StabilityMap> stability_maps(bool quick);
 
-/// The parameters of one cell; how many steps it takes is part of them.
-Params cell_params(const StabilityMap& map, const Method& method, double x, double y);
-
-/// The verdicts of a map: [method][y][x].
-using MapResult = std::vector<std::vector<std::vector<Trial>>>;
-
-/// Computes all cells on `options.threads` threads. Throws io::Failure(interrupted).
-MapResult compute_map(const StabilityMap& map, const Options& options);
-
-/// Writes the map's CSV file and figure, and puts figure and table on the page.
-void show_map(Report& report, const StabilityMap& map, const MapResult& result);
+/// The parameters of one cell's run with this seed; how many steps it takes is part of them.
+/// Unsound (check, params.h) where the cell is one that the program refuses.
+Params cell_params(const StabilityMap& map, const Method& method, double x, double y,
+                   std::int64_t seed);
 
 }  // namespace pupflow::report

@@ -1,8 +1,6 @@
 #include "app/report/stability_measure.h"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <limits>
 
 #include "engine/cloud.h"
 #include "engine/rotation.h"
@@ -21,6 +19,8 @@ const std::vector<Shape>& ShapeGauge::look(const Simulation& simulation) {
   const std::size_t points = rest_.size();
   xyz_.resize(3 * points * static_cast<std::size_t>(simulation.pups()));
   simulation.copy_positions(std::span<double>(xyz_));
+  velocities_.resize(xyz_.size());
+  simulation.copy_velocities(velocities_);
   shapes_.assign(static_cast<std::size_t>(simulation.pups()), {});
   for (std::size_t pup = 0; pup < shapes_.size(); ++pup) {
     Shape& shape = shapes_[pup];
@@ -38,6 +38,9 @@ const std::vector<Shape>& ShapeGauge::look(const Simulation& simulation) {
           (x.col(static_cast<Eigen::Index>(i)) - shape.centre - rotation * rest_[i]).squaredNorm();
     }
     shape.energy /= static_cast<double>(points) * radius_ * radius_;
+    const Eigen::Map<const Eigen::Matrix3Xd> v(velocities_.data() + 3 * points * pup, 3,
+                                               static_cast<Eigen::Index>(points));
+    shape.kinetic = v.squaredNorm() / (2 * static_cast<double>(points));
     shape.volume = map.determinant();
     shape.strain = rotation.transpose() * map - Matrix3d::Identity();
   }
@@ -46,16 +49,6 @@ const std::vector<Shape>& ShapeGauge::look(const Simulation& simulation) {
 
 std::vector<Shape> shapes_of(const Simulation& simulation) {
   return ShapeGauge(simulation.params()).look(simulation);
-}
-
-double nearest_centres(const std::vector<Shape>& shapes) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t a = 0; a < shapes.size(); ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      nearest = std::min(nearest, (shapes[a].centre - shapes[b].centre).norm());
-    }
-  }
-  return nearest;
 }
 
 }  // namespace pupflow::report

@@ -1,5 +1,5 @@
-// What the stability report measures on a litter: how far bodies are from their rest shape, how
-// near they come to each other.
+// What the stability report measures on a litter: how far bodies are from their rest shape, and
+// how fast they move.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,6 +19,8 @@ struct Shape {
   /// Determinant of the fitted linear map of the rest offsets: 1 at rest, the volume's factor; 0
   /// flat, below 0 turned inside out.
   double volume = 1;
+  /// Mean over points of |v|^2 / 2: kinetic energy by mass, in arena units^2 / s^2.
+  double kinetic = 0;
   /// The deformation's coordinates in the body's frame: R^T (fitted map) - identity, nine numbers.
   Eigen::Matrix3d strain = Eigen::Matrix3d::Zero();
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -35,14 +37,11 @@ class ShapeGauge {
  private:
   double radius_, squares_ = 0;  // sum of x^2 over the rest offsets
   std::vector<Eigen::Vector3d> rest_;
-  std::vector<double> xyz_;
+  std::vector<double> xyz_, velocities_;
   std::vector<Shape> shapes_;
 };
 
 /// The same for one look.
 std::vector<Shape> shapes_of(const Simulation& simulation);
-
-/// The smallest distance between two centres; infinite for fewer than two pups.
-double nearest_centres(const std::vector<Shape>& shapes);
 
 }  // namespace pupflow::report

@@ -58,7 +58,20 @@ Finding run_fine(Simulation& simulation, std::int64_t steps) {
     const Status status = simulation.run(std::min(kAtOnce, steps - done));
     if (!status.ok()) return {false, status.message()};
   }
-  return {finite(simulation), std::to_string(steps) + " steps, all numbers finite"};
+  Finding finding{finite(simulation), std::to_string(steps) + " steps, all numbers finite"};
+  add_warnings(finding, simulation);
+  return finding;
+}
+
+void add_warnings(Finding& finding, const Simulation& simulation) {
+  const std::string text = warnings_text(simulation.warnings());
+  if (!text.empty()) finding.happened += "; warned: " + text;
+}
+
+bool warned(const Simulation& simulation, Warning::Kind kind) {
+  const auto warnings = simulation.warnings();
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [kind](const Warning& warning) { return warning.kind == kind; });
 }
 
 void demand(Finding& finding, const std::string& what, double value, double low, double high) {
@@ -69,9 +82,11 @@ void demand(Finding& finding, const std::string& what, double value, double low,
 Finding run_until(const Params& params, std::int64_t steps, Status::Kind kind, Stage stage) {
   Simulation simulation(params);
   const Status status = simulation.run(steps);
-  return {
+  Finding finding{
       status.kind == kind && status.stage == stage && status.step == simulation.steps_done() + 1,
       status.ok() ? "fine after " + std::to_string(steps) + " steps" : status.message()};
+  add_warnings(finding, simulation);
+  return finding;
 }
 
 void place(Simulation& simulation, int pup, const Cloud3& cloud, const Vector3d& velocity) {

@@ -33,9 +33,15 @@ double largest_energy(const std::vector<Shape>& shapes);
 /// The smallest volume of a pup, over its volume at rest; 1e300 of nobody.
 double smallest_volume(const std::vector<Shape>& shapes);
 
-/// Runs and says how it ended; ok when no number went bad and all are finite. Throws
-/// io::Failure(interrupted) when Ctrl-C came.
+/// Runs and says how it ended, and what the engine warned of; ok when no number went bad and all
+/// are finite. Throws io::Failure(interrupted) when Ctrl-C came.
 Finding run_fine(Simulation& simulation, std::int64_t steps);
+
+/// Adds what the engine has warned of since the start, if anything.
+void add_warnings(Finding& finding, const Simulation& simulation);
+
+/// Whether it has warned of this.
+bool warned(const Simulation& simulation, Warning::Kind kind);
 
 /// Adds a number that must be within limits.
 void demand(Finding& finding, const std::string& what, double value, double low, double high);

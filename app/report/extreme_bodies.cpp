@@ -1,6 +1,7 @@
 // Extreme scenes of single bodies: their stiffness, deformations to begin with, their points.
 #include "app/report/extreme.h"
 #include "app/report/extreme_scenes.h"
+#include "engine/overlap.h"
 
 namespace pupflow::report::extreme {
 
@@ -46,10 +47,12 @@ Finding alpha_beta(Precision precision, double alpha, double beta, Integrator in
     Finding finding{status.ok() ? finite(simulation) : status.step == simulation.steps_done() + 1,
                     status.message()};
     if (alpha > 0) finding.ok = finding.ok && status.kind == Status::Kind::diverged;
+    add_warnings(finding, simulation);
     return finding;
   }
   Finding finding{status.ok() && finite(simulation),
                   std::to_string(steps) + " steps, " + status.message()};
+  add_warnings(finding, simulation);
   const double rigid = is_double(precision) ? 1e-20 : 1e-10;
   if (alpha == 1 && beta == 0) {
     demand(finding, "deformation energy", energy, 0, rigid);
@@ -90,10 +93,22 @@ Finding fat_points(Precision precision, bool) {
   Params twelve = base(precision);
   twelve.point_radius = 0.5;
   twelve.pups = 12;
-  Params one = twelve;
-  one.pups = 1;
-  return fine_but({"one pup", one, 1000}, {"Twelve", twelve, 1000}, Status::Kind::diverged,
+  Params sums = twelve;
+  sums.contact = ContactRule::sum;
+  return fine_but({"nearest", twelve, 1000}, {"Sum", sums, 1000}, Status::Kind::diverged,
                   Stage::contact);
+}
+
+Finding large_points(Precision precision, bool) {
+  Params params = base(precision);
+  params.point_radius = 0.2;
+  Simulation simulation(params);
+  Finding finding = run_fine(simulation, 1500);
+  demand(finding, "largest deformation energy", largest_energy(shapes_of(simulation)), 0, 0.01);
+  const Overlap overlap = measure_overlap(simulation);
+  demand(finding, "share of points inside another body", overlap.inside, 0, 0.01);
+  demand(finding, "warnings", static_cast<double>(simulation.warnings().size()), 0, 0);
+  return finding;
 }
 
 }  // namespace pupflow::report::extreme

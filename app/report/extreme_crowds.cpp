@@ -5,6 +5,7 @@
 #include "app/report/extreme.h"
 #include "app/report/extreme_scenes.h"
 #include "engine/metrics.h"
+#include "engine/overlap.h"
 
 namespace pupflow::report::extreme {
 
@@ -23,6 +24,42 @@ Finding pile(Precision precision, bool quick) {
   demand(finding, "touching pairs a pup",
          static_cast<double>(simulation.touching().size()) / params.pups, 0.5, 10);
   demand(finding, "smallest volume", smallest_volume(shapes), 0.3, 1.1);
+  return finding;
+}
+
+Finding soft_pile(Precision precision, bool) {
+  Params params = base(precision);
+  params.pups = 200;
+  params.alpha = 1;
+  params.beta = 0.99;
+  params.gravity = 1000;
+  return run_until(params, 400, Status::Kind::diverged, Stage::shape_match);
+}
+
+Finding narrow(Precision precision, bool) {
+  Params params = base(precision);
+  params.pups = 30;
+  params.arena_radius = 0.6;
+  Simulation simulation(params);
+  Finding finding = run_fine(simulation, 1500);
+  const auto shapes = shapes_of(simulation);
+  demand(finding, "largest deformation energy", largest_energy(shapes), 0, 0.01);
+  demand(finding, "share of points inside another body", measure_overlap(simulation).inside, 0.5,
+         1);
+  const bool hangs = warned(simulation, Warning::Kind::hanging);
+  demand(finding, "pile called hanging", hangs ? 1 : 0, 1, 1);
+  return finding;
+}
+
+Finding giants(Precision precision, bool) {
+  Params params = base(precision);
+  params.pup_radius = 1.9;
+  Simulation simulation(params);
+  Finding finding = run_fine(simulation, 1500);
+  const Overlap overlap = measure_overlap(simulation);
+  demand(finding, "nearest centre over 2 r_pup", overlap.nearest / (2 * params.pup_radius), 0, 0.1);
+  demand(finding, "share of points inside another body", overlap.inside, 0.5, 1);
+  demand(finding, "largest deformation energy", largest_energy(shapes_of(simulation)), 0, 0.01);
   return finding;
 }
 

@@ -85,6 +85,21 @@ Finding tiny_step(Precision precision, bool) {
   return finding;
 }
 
+Finding longer_step(Precision precision, double dt, bool) {
+  Params params = base(precision);
+  params.dt = dt;
+  Simulation simulation(params);
+  Finding finding = run_fine(simulation, 1500);
+  // 0.1: a step falls g h^2 = 0.1, and the floor pushes whole bodies together.
+  constexpr double kShort = 0.04, kLong = 0.08, kOrdinary = 0.1;
+  const double energy = largest_energy(shapes_of(simulation));
+  demand(finding, "largest deformation energy", energy, dt < kShort ? 0 : 0.005,
+         dt < kLong ? kOrdinary * dt / kShort : 10);
+  const bool sunk = warned(simulation, Warning::Kind::sunk), expected = dt > kLong;
+  finding.ok = finding.ok && sunk == expected;
+  return finding;
+}
+
 Finding huge_step(Precision precision, bool) {
   Params driven = base(precision);
   driven.dt = 1;

@@ -65,6 +65,38 @@ Finding steep_sensors(Precision precision, bool) {
   return run_fine(simulation, 1500);
 }
 
+Finding sharp_sensors(Precision precision, bool) {
+  Finding all{true, ""};
+  for (const double sigma : {1e9, -1e9}) {
+    Params params = base(precision);
+    params.sigma = sigma;
+    Simulation simulation(params);
+    Finding finding = run_fine(simulation, 1500);
+    const auto tb = simulation.body_temperature();
+    const auto [low, high] = std::minmax_element(tb.begin(), tb.end());
+    demand(finding, "T_b from", *low, params.ta, 1);
+    demand(finding, "to", *high, params.ta, 1);
+    demand(finding, "largest deformation energy", largest_energy(shapes_of(simulation)), 0, 0.01);
+    all.ok = all.ok && finding.ok;
+    all.happened += (sigma > 0 ? "10⁹: " : ". −10⁹: ") + finding.happened;
+  }
+  return all;
+}
+
+Finding burning_start(Precision precision, bool) {
+  Params params = base(precision);
+  params.tb0 = 1e300;
+  Simulation simulation(params);
+  Finding finding = run_fine(simulation, 1500);
+  const auto tb = simulation.body_temperature();
+  const auto [low, high] = std::minmax_element(tb.begin(), tb.end());
+  // All exposed, or not at all.
+  demand(finding, "T_b / T_b(0) from", *low / params.tb0,
+         0.999 * std::exp(-params.k1 * simulation.time()), 1);
+  demand(finding, "to", *high / params.tb0, 0, 1);
+  return finding;
+}
+
 Finding bad_point(Precision precision, bool) {
   Simulation simulation(base(precision));
   simulation.run(5);

@@ -10,6 +10,12 @@ namespace pupflow::report::extreme {
 
 // How many pups, and how near (extreme_crowds.cpp).
 Finding pile(Precision precision, bool quick);
+/// Soft bodies, much too heavy.
+Finding soft_pile(Precision precision, bool quick);
+/// 30 pups on a floor for five.
+Finding narrow(Precision precision, bool quick);
+/// r_pup = 1.9 in an arena of 2.
+Finding giants(Precision precision, bool quick);
 Finding column(Precision precision, bool quick);
 Finding coincident(Precision precision, bool quick);
 Finding nobody(Precision precision, bool quick);
@@ -22,6 +28,8 @@ Finding heavy(Precision precision, bool quick);
 /// g h^2 and alpha are the same as in the ordinary fall: the same positions, step by step.
 Finding heavy_scaled(Precision precision, bool quick);
 Finding tiny_step(Precision precision, bool quick);
+/// h = dt, above the ordinary one.
+Finding longer_step(Precision precision, double dt, bool quick);
 Finding huge_step(Precision precision, bool quick);
 Finding wild_drive(Precision precision, bool quick);
 
@@ -36,6 +44,8 @@ Finding point(Precision precision, bool quick);
 Finding mirrored(Precision precision, bool quick);
 /// k = face_points, 6 k^2 points a pup.
 Finding resolution(Precision precision, int face_points, bool quick);
+/// r_point = 0.2, nearly r_pup.
+Finding large_points(Precision precision, bool quick);
 Finding fat_points(Precision precision, bool quick);
 
 // Heat, sensors, a NaN (extreme_numbers.cpp).
@@ -44,6 +54,10 @@ Finding ambient(Precision precision, double ta, bool quick);
 Finding no_conductance(Precision precision, bool quick);
 Finding stiff_euler(Precision precision, bool quick);
 Finding steep_sensors(Precision precision, bool quick);
+/// sigma = +-1e9.
+Finding sharp_sensors(Precision precision, bool quick);
+/// T_b(0) = 1e300.
+Finding burning_start(Precision precision, bool quick);
 Finding bad_point(Precision precision, bool quick);
 
 }  // namespace pupflow::report::extreme

@@ -74,7 +74,7 @@ void scenes_section(Report& report, const std::vector<SceneResult>& results) {
   report.heading("Extreme scenes");
   report.text(
       "Each has a test of the same name (`Extreme`). 'yes' is what should happen, in single and in "
-      "double precision.");
+      "double precision. What the engine warned of stands beside it, also where a run ends fine.");
   std::vector<io::Row> table{
       {"scene", "what should happen", "float", "double", "what happened (double)"}};
   std::string single;

@@ -28,7 +28,8 @@ class Decay {
   Trial judge() const {
     Trial trial;
     if (2 * turns_ > steps_) trial.verdict = Verdict::ringing;
-    if (std::abs(before_) > std::abs(first_)) trial.verdict = Verdict::diverged;
+    // A factor of -1 keeps it but for rounding.
+    if (std::abs(before_) > (1 + 1e-9) * std::abs(first_)) trial.verdict = Verdict::diverged;
     return trial;
   }
 

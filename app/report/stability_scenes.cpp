@@ -19,6 +19,11 @@ Finding points(Precision precision, bool quick) {
   return resolution(precision, FacePoints, quick);
 }
 
+template <int Hundredths>
+Finding step_of(Precision precision, bool quick) {
+  return longer_step(precision, Hundredths / 100.0, quick);
+}
+
 template <int Sign>
 Finding air(Precision precision, bool quick) {
   return ambient(precision, Sign * 1e6, quick);
@@ -29,6 +34,17 @@ constexpr Integrator kPredictive = Integrator::predictive, kExplicit = Integrato
 constexpr std::array kScenes{
     ExtremeScene{"pile", "200 pups in an arena of radius 1",
                  "Numbers stay fine, nobody leaves, and each pup touches few others.", pile},
+    ExtremeScene{
+        "soft_pile", "α = 1, β = 0.99, 200 pups, gravity 1000",
+        "Crushed bodies with next to no shape of their own grow out of proportion, and the "
+        "step says so.",
+        soft_pile},
+    ExtremeScene{"narrow", "30 pups in an arena of radius 0.6",
+                 "They sink into each other, most points inside another body. Some stay up in the "
+                 "pile, since contacts reset velocities, and the engine warns that they hang.",
+                 narrow},
+    ExtremeScene{"giants", "r_pup = 1.9 in an arena of radius 2",
+                 "There is room for one. Twelve lie in the same place, each in its shape.", giants},
     ExtremeScene{"column", "10,000 pups in one column",
                  "Only neighbours are searched: steps stay short, and numbers fine.", column},
     ExtremeScene{
@@ -72,9 +88,12 @@ constexpr std::array kScenes{
         mirrored},
     ExtremeScene{"k2", "24 points a pup (k = 2)", "Ordinary shapes.", points<2>},
     ExtremeScene{"k32", "6144 points a pup (k = 32)", "Ordinary shapes.", points<32>},
+    ExtremeScene{"large_points", "r_point = 0.2, r_pup = 0.25",
+                 "Bodies stay apart: no point gets inside another body.", large_points},
     ExtremeScene{"fat_points", "r_point = 0.5 above r_pup = 0.25",
-                 "One pup is fine. Of two that touch, each point touches most of the other's, "
-                 "displacements add up to many radii, and the contact stage says so.",
+                 "Fine, since the nearest contact decides. With contact = sum each point adds up "
+                 "displacements from most of the other's, many radii, and the contact stage says "
+                 "so.",
                  fat_points},
     ExtremeScene{"freezing", "T_a = −10⁶",
                  "T_b goes there and not beyond, but for the heat that a huddle makes itself.",
@@ -89,12 +108,25 @@ constexpr std::array kScenes{
                  "solution is at T_a at once.",
                  stiff_euler},
     ExtremeScene{"steep_sensors", "σ = v = 10³⁰⁰", "Headings stay finite.", steep_sensors},
+    ExtremeScene{"sharp_sensors", "σ = ± 10⁹",
+                 "S is 0 or 1, headings finite, and the litter an ordinary one; with a negative σ "
+                 "pups shun what they would seek.",
+                 sharp_sensors},
+    ExtremeScene{"burning_start", "T_b(0) = 10³⁰⁰",
+                 "T_b falls by at most e^(−k₁ t), however high it is.", burning_start},
     ExtremeScene{"nobody", "no pup", "Steps do nothing.", nobody},
     ExtremeScene{"alone", "one pup", "It touches nobody; T_b follows its closed form.", alone},
     ExtremeScene{"tiny_step", "h = 10⁻⁸",
                  "It falls from rest by v = −g t. Single precision is refused: its rounding, "
                  "divided by h, would push the pups.",
                  tiny_step},
+    ExtremeScene{"step_003", "h = 0.03", "A softer litter, but an ordinary one.", step_of<3>},
+    ExtremeScene{"step_005", "h = 0.05", "Deformed by each landing, and ringing, but whole.",
+                 step_of<5>},
+    ExtremeScene{"step_01", "h = 0.1",
+                 "Beyond what the floor can carry: a step falls g h² = 0.1, nearly half a radius, "
+                 "and the engine warns of pups under the floor.",
+                 step_of<10>},
     ExtremeScene{"huge_step", "h = 1",
                  "Crushed like gravity 10⁵, but finite; with drive, f h > 2/3 outruns the wall, "
                  "and the step says so.",

@@ -78,8 +78,8 @@ void expect_page_and_pictures(const std::string& folder) {
       page, AllOf(HasSubstr("`pupflow report stability --quick`"), HasSubstr("## Classes"),
                   HasSubstr("## Maps"), HasSubstr("## Extreme scenes"), HasSubstr("| predictive |"),
                   HasSubstr("| euler |"), Not(HasSubstr("| NO |"))));
-  for (const std::string map :
-       {"alpha_beta", "step_alpha", "step_gravity", "drive_pups", "step_k1"}) {
+  for (const std::string map : {"alpha_beta", "step_alpha", "step_gravity", "step_refinement",
+                                "drive_pups", "points", "radii", "step_k1", "step_k2"}) {
     EXPECT_THAT(page, HasSubstr("](" + map + ".png)"));
     EXPECT_EQ(io::read_png(folder + "/" + map + ".png").width, 980);
     EXPECT_THAT(contents(folder + "/" + map + ".svg"), HasSubstr("</svg>"));
@@ -97,10 +97,32 @@ void expect_known_cells(const Maps& maps) {
   EXPECT_GT(std::stoi(lost["bad_step"]), 100);
   EXPECT_EQ(maps.verdict("step_alpha", "dt=0.01", "alpha=0.7", "predictive"), "stable");
   EXPECT_EQ(maps.verdict("step_alpha", "dt=1", "alpha=0.7", "predictive"), "escaped");
+  EXPECT_EQ(maps.verdict("step_alpha", "dt=0.1", "alpha=0.7", "predictive"), "sunk");
+  EXPECT_EQ(maps.verdict("step_refinement", "dt=0.005", "alpha=0.7", "consistent"), "stable");
+  EXPECT_EQ(maps.verdict("step_refinement", "dt=0.005", "alpha=1", "consistent"), "refused");
+  EXPECT_EQ(maps.verdict("points", "face_points=7", "point_over_pup=0.2", "nearest"), "stable");
+  EXPECT_EQ(maps.verdict("radii", "pup_over_arena=0.8", "pups=12", "nearest"), "overlapping");
   EXPECT_EQ(maps.verdict("step_gravity", "dt=0.01", "gravity=10", "predictive"), "stable");
   EXPECT_NE(maps.verdict("step_gravity", "dt=0.01", "gravity=1e+05", "predictive"), "stable");
   EXPECT_EQ(maps.verdict("drive_pups", "drive=1", "pups=12", "predictive"), "stable");
   EXPECT_EQ(maps.verdict("drive_pups", "drive=1000", "pups=1", "predictive"), "escaped");
+}
+
+/// Seeds that disagree are counted and named, and what is warned of stands in the row.
+void expect_seeds_and_warnings(const std::string& folder) {
+  for (auto& row : rows_of(folder + "/step_alpha.csv")) {
+    const int agree = std::stoi(row["agree"]);
+    EXPECT_EQ(row["seeds"], "3");
+    EXPECT_GE(agree, 1);
+    EXPECT_EQ(agree == 3, row["other"] == "-") << row["classes"];
+    EXPECT_THAT(row["classes"], HasSubstr(row["class"]));
+    if (row["class"] == "sunk") {
+      EXPECT_THAT(row["warnings"], HasSubstr("under the floor"));
+    }
+    if (row["class"] == "stable") {
+      EXPECT_GT(std::stod(row["kinetic"]), 0);
+    }
+  }
 }
 
 /// Forward Euler rings where k1 h is above 1 and diverges where it is above 2; the exact rule
@@ -125,6 +147,7 @@ TEST(StabilityProgram, WritesAPageWithMapsAndScenesThatHasTheKnownCellsRight) {
   expect_page_and_pictures(scratch.path("r"));
   expect_known_cells(Maps(scratch.path("r")));
   expect_heat_as_in_theory(scratch.path("r/step_k1.csv"));
+  expect_seeds_and_warnings(scratch.path("r"));
 }
 
 TEST(StabilityProgram, KeepsFinishedMapsWhenInterrupted) {
@@ -136,7 +159,7 @@ TEST(StabilityProgram, KeepsFinishedMapsWhenInterrupted) {
   const Outcome outcome = running.wait();
   EXPECT_EQ(outcome.code, 130);
   EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
-  EXPECT_EQ(rows_of(scratch.path("r/alpha_beta.csv")).size(), 32u);
+  EXPECT_EQ(rows_of(scratch.path("r/alpha_beta.csv")).size(), 24u);
   EXPECT_FALSE(std::filesystem::exists(scratch.path("r/report.md")));
   EXPECT_FALSE(std::filesystem::exists(scratch.path("r/step_k1.csv")));
 }
@@ -163,7 +186,7 @@ TEST(ExtremeRuns, WorkOrSayWhyNotAndKeepTheRowsBefore) {
       {{"dt=1e-8", "precision=float"}, 2, "must be at least 1e-04 with precision = float"},
       {{"dt=1"}, 3, "escaped from the arena at step "},
       {{"drive=1e5"}, 3, "escaped from the arena at step 2, stage shape_match, pup 0"},
-      {{"point_radius=0.5"}, 3, "diverged at step 1, stage contact, pup "},
+      {{"point_radius=0.5", "contact=sum"}, 3, "diverged at step "},
       {{"heat=euler", "k1=500"}, 3, "diverged at step 5, stage heat, pup "},
       {{"integrator=explicit"}, 3, "diverged at step "},
   };

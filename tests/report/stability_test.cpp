@@ -6,7 +6,9 @@
 #include <set>
 
 #include "app/report/share_out.h"
+#include "app/report/stability_cells.h"
 #include "app/report/stability_class.h"
+#include "app/report/stability_heat.h"
 #include "app/report/stability_maps.h"
 #include "app/report/stability_measure.h"
 #include "app/report/stability_scenes.h"
@@ -49,50 +51,64 @@ TEST(ShapeGauge, KnowsTheEnergyAndVolumeOfASimpleDeformation) {
   EXPECT_NEAR(shape_after(Eigen::Vector3d(1, 1, 0).asDiagonal()).volume, 0, 1e-12);
 }
 
-TEST(ShapeGauge, FindsTheNearestCentres) {
-  std::vector<Shape> shapes(3);
-  shapes[0].centre = {0, 0, 0};
-  shapes[1].centre = {3, 0, 0};
-  shapes[2].centre = {3, 2, 0};
-  EXPECT_EQ(nearest_centres(shapes), 2);
-  shapes.resize(1);
-  EXPECT_TRUE(std::isinf(nearest_centres(shapes)));
+TEST(ShapeGauge, KnowsTheKineticEnergyOfEveryPoint) {
+  // Velocities are the positions here: the centre's at (1, 2, 30), and r = 0.25 round it.
+  const double expected = (1 + 4 + 900 + 0.25 * 0.25) / 2;
+  EXPECT_NEAR(shape_after(Eigen::Matrix3d::Identity()).kinetic, expected, 1e-10);
 }
 
 Trial tried(void (*edit)(Params&)) {
   Params params;
-  params.pups = 6;
   edit(params);
   return *try_litter(params, never);
 }
 
-TEST(Verdict, ThePapersLitterIsStable) {
-  for (const std::int64_t seed : {1, 2, 3}) {
+TEST(Verdict, TheDefaultLitterIsStableColdWarmAndInBetween) {
+  for (const double ta : {0.2, 0.48, 0.8}) {
     Params params;
-    params.seed = seed;
+    params.ta = ta;
     const Trial trial = *try_litter(params, never);
-    EXPECT_EQ(trial.verdict, Verdict::stable) << verdict_name(trial.verdict);
-    EXPECT_LT(trial.swing, kRingingSwing / 3);  // with room
-    EXPECT_GT(trial.nearest, kOverlap * 1.4);
+    EXPECT_EQ(trial.verdict, Verdict::stable) << class_of(trial.verdict).name;
+    EXPECT_LT(trial.swing, class_of(Verdict::ringing).limit / 10);  // with room
+    EXPECT_LT(trial.kinetic, class_of(Verdict::heating).limit / 10);
+    EXPECT_LT(trial.inside, class_of(Verdict::overlapping).limit / 1.2);
     EXPECT_EQ(trial.inverted, 0);
     EXPECT_GT(trial.energy, 1e-5);
+    EXPECT_GT(trial.kinetic, 1e-4);
+    EXPECT_GT(trial.nearest, 0.5);
+    EXPECT_TRUE(trial.warnings.empty());
   }
 }
 
+/// A class and a litter that belongs to it.
+struct Member {
+  Verdict verdict;
+  void (*edit)(Params&);
+};
+
 TEST(Verdict, EachClassHasAKnownMember) {
-  EXPECT_EQ(tried([](Params& p) {
-              p.alpha = 0.1;
-              p.beta = 0.8;
-            }).verdict,
-            Verdict::ringing);
-  EXPECT_EQ(tried([](Params& p) { p.beta = 1; }).verdict, Verdict::inverted);
-  EXPECT_EQ(tried([](Params& p) { p.drive = 1000; }).verdict, Verdict::escaped);
-  // k = 2: 24 points a pup let bodies sink into each other.
-  EXPECT_EQ(tried([](Params& p) {
-              p.pups = 12;
-              p.face_points = 2;
-            }).verdict,
-            Verdict::interpenetrating);
+  const Member members[] = {
+      {Verdict::ringing,
+       [](Params& p) {
+         p.alpha = 0.1;
+         p.beta = 0.8;
+       }},
+      {Verdict::overlapping, [](Params& p) { p.pup_radius = 1.9; }},
+      {Verdict::hanging,
+       [](Params& p) {
+         p.pups = 30;
+         p.arena_radius = 0.6;
+         p.steps = 800;
+       }},
+      {Verdict::sunk, [](Params& p) { p.dt = 0.1; }},
+      {Verdict::inverted, [](Params& p) { p.beta = 1; }},
+      {Verdict::escaped, [](Params& p) { p.drive = 1000; }},
+  };
+  for (const Member& member : members) {
+    const Trial trial = tried(member.edit);
+    EXPECT_EQ(trial.verdict, member.verdict)
+        << class_of(trial.verdict).name << " for " << class_of(member.verdict).name;
+  }
   const Trial lost = tried([](Params& p) { p.integrator = Integrator::explicit_; });
   EXPECT_EQ(lost.verdict, Verdict::diverged);
   EXPECT_EQ(lost.status.kind, Status::Kind::diverged);
@@ -100,8 +116,25 @@ TEST(Verdict, EachClassHasAKnownMember) {
   EXPECT_GT(lost.status.step, 100);
 }
 
+TEST(Verdict, MoreKineticEnergyThanDriveAndGravityGiveIsHeating) {
+  // Explicit steps do not damp: the litter gets hot before anybody is out of bounds.
+  const Trial hot = tried([](Params& p) {
+    p.integrator = Integrator::explicit_;
+    p.alpha = 0.08;
+    p.steps = 1360;
+  });
+  EXPECT_EQ(hot.verdict, Verdict::heating);
+  EXPECT_GT(hot.kinetic, 1.2);
+  EXPECT_TRUE(hot.warnings.empty());
+  // Close to no shape of its own, a body that is pressed throws another up.
+  const Trial thrown = tried([](Params& p) { p.beta = 0.9; });
+  EXPECT_EQ(thrown.verdict, Verdict::heating);
+  ASSERT_EQ(thrown.warnings.size(), 1u);
+  EXPECT_EQ(thrown.warnings[0].kind, Warning::Kind::gaining_energy);
+}
+
 TEST(Verdict, APupThatIsOutsideButNotYetFarIsEscapedToo) {
-  const Trial trial = tried([](Params& p) { p.drive = 80; });
+  const Trial trial = tried([](Params& p) { p.drive = 60; });
   EXPECT_TRUE(trial.status.ok());
   EXPECT_EQ(trial.verdict, Verdict::escaped);
 }
@@ -123,36 +156,145 @@ TEST(Verdict, HeatRingsAndDivergesWhereEulerDoes) {
   }
 }
 
+TEST(Verdict, ExchangeOfHeatRingsAndDivergesAsInTheory) {
+  Params params;
+  params.pups = 2;
+  params.gravity = params.drive = params.k1 = params.g = 0;
+  params.steps = 400;
+  const double contact = held_contact(params);
+  ASSERT_GT(contact, 0.05);
+  ASSERT_LT(contact, 0.95);
+  // The difference is multiplied by 1 - 2 kappa, or by 2 exp(-kappa) - 1.
+  struct Case {
+    double kappa;
+    Verdict exact, euler;
+  };
+  for (const Case& one :
+       {Case{0.4, Verdict::stable, Verdict::stable}, Case{0.6, Verdict::stable, Verdict::ringing},
+        Case{0.8, Verdict::ringing, Verdict::ringing},
+        Case{1.05, Verdict::ringing, Verdict::diverged},
+        Case{1000, Verdict::ringing, Verdict::diverged}}) {
+    params.k2 = one.kappa / (contact * params.dt);
+    params.heat = HeatRule::exact;
+    EXPECT_EQ(try_exchange(params, never)->verdict, one.exact) << one.kappa;
+    params.heat = HeatRule::euler;
+    EXPECT_EQ(try_exchange(params, never)->verdict, one.euler) << one.kappa;
+  }
+}
+
 TEST(Verdict, StopsWhenAsked) {
   EXPECT_FALSE(try_litter(Params{}, [] { return true; }));
 }
 
-TEST(StabilityMaps, HaveTheDefaultAmongTheirCellsAndSoundParameters) {
+Cell cell_of(std::initializer_list<Verdict> verdicts) {
+  Cell cell;
+  for (const Verdict verdict : verdicts) {
+    cell.trials.emplace_back();
+    cell.trials.back().verdict = verdict;
+  }
+  return cell;
+}
+
+TEST(Cell, IsWhatMostSeedsSayOrTheMiddleOne) {
+  constexpr Verdict kGood = Verdict::stable, kBad = Verdict::ringing, kWorst = Verdict::diverged;
+  const Cell agreed = cell_of({kBad, kBad, kBad});
+  EXPECT_EQ(agreed.verdict(), kBad);
+  EXPECT_EQ(agreed.agreeing(), 3);
+  EXPECT_FALSE(agreed.other());
+  for (const Cell& cell : {cell_of({kWorst, kGood, kGood}), cell_of({kGood, kWorst, kGood})}) {
+    EXPECT_EQ(cell.verdict(), kGood);
+    EXPECT_EQ(cell.agreeing(), 2);
+    EXPECT_EQ(cell.other(), kWorst);
+  }
+  const Cell split = cell_of({kWorst, kGood, kBad});
+  EXPECT_EQ(split.verdict(), kBad);
+  EXPECT_EQ(split.agreeing(), 1);
+  EXPECT_EQ(split.other(), kWorst);
+}
+
+TEST(Cell, MeansAreOverTheRunsThatEnded) {
+  Cell cell = cell_of({Verdict::stable, Verdict::diverged, Verdict::stable});
+  cell.trials[0].kinetic = 1;
+  cell.trials[2].kinetic = 2;
+  cell.trials[1].status.kind = Status::Kind::diverged;
+  EXPECT_EQ(cell.mean(&Trial::kinetic), 1.5);
+  EXPECT_EQ(cell.lost(), &cell.trials[1]);
+}
+
+TEST(StabilityMaps, HaveTheDefaultAmongTheirCellsAndTheirCellsAreSoundOrRefused) {
   for (const bool quick : {false, true}) {
     std::set<std::string> names;
     for (const StabilityMap& map : stability_maps(quick)) {
       names.insert(map.name);
       ASSERT_EQ(map.methods.size(), 2u);
+      EXPECT_EQ(map.seeds, map.judge == try_litter ? 3 : 1) << map.name;
+      EXPECT_TRUE(map.judge != try_litter || map.base.pups == 12) << map.name;
       for (const MapAxis* axis : {&map.x, &map.y}) {
-        EXPECT_TRUE(std::is_sorted(axis->values.begin(), axis->values.end())) << axis->parameter;
+        EXPECT_TRUE(std::is_sorted(axis->values.begin(), axis->values.end())) << axis->name;
       }
+      int refused = 0;
       for (const Method& method : map.methods) {
         for (const double x : map.x.values) {
           for (const double y : map.y.values) {
-            const Params cell = cell_params(map, method, x, y);
-            EXPECT_TRUE(check(cell).empty()) << map.name << ' ' << x << ' ' << y;
-            EXPECT_EQ(find_parameter(map.x.parameter)->get(cell), x);
-            EXPECT_EQ(find_parameter(map.y.parameter)->get(cell), y);
+            const Params cell = cell_params(map, method, x, y, 2);
+            EXPECT_EQ(cell.seed, 2);
+            EXPECT_DOUBLE_EQ(map.x.get(cell), x);
+            EXPECT_DOUBLE_EQ(map.y.get(cell), y);
+            refused += check(cell).empty() ? 0 : 1;
           }
         }
       }
-      EXPECT_EQ(cell_params(map, map.methods[1], map.x.values[0], map.y.values[0]) ==
-                    cell_params(map, map.methods[0], map.x.values[0], map.y.values[0]),
-                false);
+      // Consistent refinement has no alpha = 1 below the reference step.
+      EXPECT_EQ(refused > 0, map.name == "step_refinement") << map.name;
+      EXPECT_FALSE(cell_params(map, map.methods[1], map.x.values[0], map.y.values[0], 1) ==
+                   cell_params(map, map.methods[0], map.x.values[0], map.y.values[0], 1));
     }
-    EXPECT_THAT(names,
-                ElementsAre("alpha_beta", "drive_pups", "step_alpha", "step_gravity", "step_k1"));
+    EXPECT_THAT(names, ElementsAre("alpha_beta", "drive_pups", "points", "radii", "step_alpha",
+                                   "step_gravity", "step_k1", "step_k2", "step_refinement"));
   }
+}
+
+TEST(StabilityMaps, AreTheSameForAnyNumberOfThreads) {
+  StabilityMap map = stability_maps(true)[0];
+  map.base.pups = 4;
+  map.base.steps = 200;
+  Options options;
+  options.quiet = true;
+  const MapResult one = compute_map(map, options);
+  options.threads = 3;
+  const MapResult three = compute_map(map, options);
+  for (std::size_t m = 0; m < one.size(); ++m) {
+    for (std::size_t j = 0; j < one[m].size(); ++j) {
+      for (std::size_t i = 0; i < one[m][j].size(); ++i) {
+        const Cell &a = one[m][j][i], &b = three[m][j][i];
+        ASSERT_EQ(a.trials.size(), 3u);
+        ASSERT_EQ(b.trials.size(), 3u);
+        for (std::size_t s = 0; s < 3; ++s) {
+          EXPECT_EQ(a.trials[s].verdict, b.trials[s].verdict);
+          EXPECT_EQ(a.trials[s].kinetic, b.trials[s].kinetic);
+          EXPECT_EQ(a.trials[s].energy, b.trials[s].energy);
+        }
+      }
+    }
+  }
+}
+
+TEST(StabilityMaps, RefusedCellsAreNotRun) {
+  StabilityMap map = stability_maps(true)[0];
+  for (const StabilityMap& one : stability_maps(true)) {
+    if (one.name == "step_refinement") map = one;
+  }
+  map.x.values = {0.005, 0.01};
+  map.y.values = {0.7, 1};
+  map.base.pups = 1;
+  map.base.steps = 20;
+  Options options;
+  options.quiet = true;
+  const MapResult result = compute_map(map, options);
+  EXPECT_THAT(result[1][1][0].refused, HasSubstr("alpha = 1"));
+  EXPECT_TRUE(result[1][1][0].trials.empty());
+  EXPECT_EQ(result[1][1][1].trials.size(), 3u);
+  EXPECT_EQ(result[0][1][0].trials.size(), 3u);
 }
 
 TEST(ShareOut, DoesEachPieceOnceAndPassesOnWhatWentWrong) {

@@ -40,8 +40,8 @@ constexpr std::array kScenes{
         "step says so.",
         soft_pile},
     ExtremeScene{"narrow", "30 pups in an arena of radius 0.6",
-                 "They sink into each other, most points inside another body. Some stay up in the "
-                 "pile, since contacts reset velocities, and the engine warns that they hang.",
+                 "They sink into each other, most points inside another body, and keep their "
+                 "shapes.",
                  narrow},
     ExtremeScene{"giants", "r_pup = 1.9 in an arena of radius 2",
                  "There is room for one. Twelve lie in the same place, each in its shape.", giants},

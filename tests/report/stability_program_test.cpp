@@ -101,7 +101,7 @@ void expect_known_cells(const Maps& maps) {
   EXPECT_EQ(maps.verdict("step_refinement", "dt=0.005", "alpha=0.7", "consistent"), "stable");
   EXPECT_EQ(maps.verdict("step_refinement", "dt=0.005", "alpha=1", "consistent"), "refused");
   EXPECT_EQ(maps.verdict("points", "face_points=7", "point_over_pup=0.2", "nearest"), "stable");
-  EXPECT_EQ(maps.verdict("radii", "pup_over_arena=0.8", "pups=12", "nearest"), "overlapping");
+  EXPECT_EQ(maps.verdict("radii", "pup_over_arena=0.125", "pups=12", "nearest"), "stable");
   EXPECT_EQ(maps.verdict("step_gravity", "dt=0.01", "gravity=10", "predictive"), "stable");
   EXPECT_NE(maps.verdict("step_gravity", "dt=0.01", "gravity=1e+05", "predictive"), "stable");
   EXPECT_EQ(maps.verdict("drive_pups", "drive=1", "pups=12", "predictive"), "stable");

@@ -96,9 +96,8 @@ TEST(Verdict, EachClassHasAKnownMember) {
       {Verdict::overlapping, [](Params& p) { p.pup_radius = 1.9; }},
       {Verdict::hanging,
        [](Params& p) {
-         p.pups = 30;
-         p.arena_radius = 0.6;
-         p.steps = 800;
+         p.drive = 25;  // pinned to the wall, up in the air
+         p.steps = 600;
        }},
       {Verdict::sunk, [](Params& p) { p.dt = 0.1; }},
       {Verdict::inverted, [](Params& p) { p.beta = 1; }},

@@ -51,7 +51,7 @@ MapAxis point_axis(bool quick) {
   return {"point_over_pup",
           "r_{point} / r_{pup}",
           true,
-          quick ? Values{0.05, 0.2, 0.8} : Values{0.025, 0.05, 0.1, 0.2, 0.4, 0.8},
+          quick ? Values{0.05, 0.2, 1.6} : Values{0.025, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6},
           0,
           1e6,
           [](const Params& p) { return p.point_radius / p.pup_radius; },
@@ -220,11 +220,9 @@ StabilityMap points(bool quick) {
   map.name = "points";
   map.title = "k × r_point / r_pup";
   map.words =
-      "A pup has 6 k² points, which touch others by spheres of r_point. Contacts act point by "
-      "point "
-      "and move each by a share of r_point of its overlap: few or small points let bodies pass "
-      "through each other. With `contact = sum` the displacements of a point add up over its "
-      "contacts, so many large points push harder than a step can follow.";
+      "A pup has 6 k² points, which touch others by spheres of r_point. The smaller they are, the "
+      "less a contact moves. With `contact = sum` the displacements of a point add up over its "
+      "contacts, so many large points push further than a body can take.";
   map.x = along("face_points", "points along a face edge k", false,
                 quick ? Values{2, 4, 7} : Values{2, 3, 4, 5, 6, 7, 8, 10});
   map.y = point_axis(quick);

@@ -169,7 +169,7 @@ class Legend {
  public:
   /// Commands for a label, after its mark `left` of it was drawn by `mark(x, y)`.
   std::string add(const std::string& label, const std::function<std::string(int, int)>& mark) {
-    const int x = 70 + 300 * (count_ % 3), y = 160 - 26 * (count_ / 3);
+    const int x = 30 + 300 * (count_ % 3), y = 160 - 26 * (count_ / 3);
     ++count_;
     return mark(x, y) + "  set label '" + label + "' at screen " + at(x + 52, y) + " left\n";
   }

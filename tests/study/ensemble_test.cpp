@@ -75,7 +75,7 @@ TEST(Ensemble, ReportsThemWhereOnlyAnObserverAsksForContacts) {
   Params params = litter(3);
   params.drive = params.k1 = params.k2 = params.g = 0;
   params.arena_radius = 0.4;  // so small that they touch
-  params.discard = 50;  // they touch by then, so that a contact not recorded shows
+  params.discard = 50;        // they touch by then, so that a contact not recorded shows
   params.flow_lag = 3;
   expect_means_of_a_watched_run(params);
   EXPECT_GT(run_to_end(params, kNever)->means.huddling, 0);

@@ -1,4 +1,4 @@
-// A pack of numbers in registers. Only kernels.inl includes this, once per instruction set:
+// A pack of numbers in registers. Only the kernels include this, once per instruction set:
 // everything here has internal linkage, so that no copy compiled for one processor is ever run on
 // another.
 #pragma once

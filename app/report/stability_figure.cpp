@@ -104,7 +104,14 @@ std::string axis_commands(const std::string& which, const MapAxis& axis,
   // Too few powers of ten to read the axis by: the values themselves.
   if (axis.values.back() / axis.values.front() > 100) return text + tics + powers;
   std::string values;
-  for (const double value : axis.values) values += (values.empty() ? "" : ", ") + number(value);
+  double last = 0;
+  for (const double value : axis.values) {
+    // Side by side, numbers nearer than this would run into each other.
+    constexpr double kLeastRatio = 1.6;
+    if (which == "x" && value < kLeastRatio * last) continue;
+    values += (values.empty() ? "" : ", ") + number(value);
+    last = value;
+  }
   return text + tics + "(" + values + ") format '%g'\n";
 }
 

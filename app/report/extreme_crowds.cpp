@@ -22,7 +22,7 @@ Finding pile(Precision precision, bool quick) {
   for (const Shape& shape : shapes) outside = std::max(outside, shape.centre.head<2>().norm());
   demand(finding, "furthest centre from the axis", outside, 0, params.arena_radius);
   demand(finding, "touching pairs a pup",
-         static_cast<double>(simulation.touching().size()) / params.pups, 0.5, 10);
+         static_cast<double>(simulation.touching().size()) / params.pups, 0.5, 40);
   demand(finding, "smallest volume", smallest_volume(shapes), 0.3, 1.1);
   return finding;
 }

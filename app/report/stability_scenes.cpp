@@ -32,8 +32,11 @@ Finding air(Precision precision, bool quick) {
 constexpr Integrator kPredictive = Integrator::predictive, kExplicit = Integrator::explicit_;
 
 constexpr std::array kScenes{
-    ExtremeScene{"pile", "200 pups in an arena of radius 1",
-                 "Numbers stay fine, nobody leaves, and each pup touches few others.", pile},
+    ExtremeScene{
+        "pile", "200 pups in an arena of radius 1",
+        "Numbers stay fine and nobody leaves. Bodies keep their volume, but sink into each "
+        "other, so that each touches many.",
+        pile},
     ExtremeScene{
         "soft_pile", "α = 1, β = 0.99, 200 pups, gravity 1000",
         "Crushed bodies with next to no shape of their own grow out of proportion, and the "

@@ -67,7 +67,7 @@ void Watch<Real>::begin(const Params& params, const State<Real>& state) {
   const double stack = 2 * state.pups * (params.pup_radius + params.point_radius);
   highest_ = kEnergyMargin * std::max(energy / params.gravity, stack);
   const double speed = std::sqrt(2 * params.gravity * params.pup_radius);
-  slow_ = speed * params.dt;
+  slow_move_ = speed * params.dt;
   const double steps = 2 * speed / params.gravity / params.dt;
   slow_steps_ = params.gravity > 0 ? static_cast<std::int64_t>(std::clamp<double>(
                                          std::ceil(steps), kLastingSteps, kManySteps))
@@ -84,7 +84,7 @@ void Watch<Real>::look(const Params& params, const State<Real>& state) {
     if (lasts(z < 0, past.under)) warn(Warning::Kind::sunk, pup);
     if (lasts(x * x + y * y > wall, past.out)) warn(Warning::Kind::outside, pup);
     if (z > highest_) warn(Warning::Kind::gaining_energy, pup);
-    past.slow = std::abs(z - past.height) < slow_ ? past.slow + 1 : 0;
+    past.slow = std::abs(z - past.height) < slow_move_ ? past.slow + 1 : 0;
     past.height = z;
   }
   if (slow_steps_ > 0 && state.step % slow_steps_ == 0) look_for_hanging(params, state);
@@ -92,17 +92,14 @@ void Watch<Real>::look(const Params& params, const State<Real>& state) {
 
 template <class Real>
 void Watch<Real>::look_for_hanging(const Params& params, const State<Real>& state) {
-  for (Past& past : past_) past.touched = false;
-  for (const TouchingPair& pair : state.touching) {
-    past_[pair.first].touched = past_[pair.second].touched = true;
-  }
   const double floor = params.point_radius + params.pup_radius;
+  const double distance = std::max(params.pup_radius, 4 * params.point_radius);
   for (int pup = 0; pup < state.pups; ++pup) {
     Past& past = past_[pup];
     const bool before = past.held_up;
-    past.held_up = past.slow >= slow_steps_ && !past.touched &&
+    past.held_up = past.slow >= slow_steps_ &&
                    static_cast<double>(state.bounds[pup].low[2]) > floor &&
-                   is_alone(state, pup, params.pup_radius);
+                   is_alone(state, pup, distance);
     if (past.held_up && before) warnings_.add({Warning::Kind::hanging, state.step, pup});
   }
 }

@@ -11,10 +11,12 @@
 // hanging: a body that falls from rest by a pup radius r reaches u = sqrt(2 g r). A thrown body is
 // slower than u, up or down, for a time of 2 u / g, and one that bounces without ever being faster
 // stays within r of what it bounces on. So a pup that has been slower than u for longer, with its
-// box further than r from the floor and from every other box, neither falls nor is carried. It must
-// be found so twice, 2 u / g (at least 50 steps) apart, since whatever carried it may just have
-// left. Pups that touch slow each other's fall: a pile of 200 hovers for thousands of steps. That
-// is how contacts work, so only a pup near nobody hangs; and without gravity nobody does.
+// box further than r from the floor and near no other box, neither falls nor is carried. It must be
+// found so twice, 2 u / g (at least 50 steps) apart, since whatever carried it may just have left.
+// Pups that touch slow each other's fall: a pile of 200 hovers for thousands of steps. That is how
+// contacts work, so only a pup near nobody hangs. Near is within r or 4 r_point, twice the distance
+// at which points touch. The list of touching pairs is not read: a step that nobody observes does
+// not fill it. Without gravity nobody hangs.
 //
 // gaining_energy: a pup should not rise above what it has energy for. With E the largest
 // g z + v^2 / 2 of a pup at the start, 2 R f the work that the drive can do across the arena, and
@@ -56,7 +58,7 @@ class Watch {
     double height = 0;       // of its middle
     int under = 0, out = 0;  // rise in each step under the floor or outside, and fall in others
     std::int64_t slow = 0;   // steps since its vertical speed was above u
-    bool touched = false, held_up = false;  // slow and near nobody, when last looked for
+    bool held_up = false;    // slow and near nobody, when last looked for
   };
 
   void look_for_hanging(const Params& params, const State<Real>& state);
@@ -64,7 +66,7 @@ class Watch {
   Warnings warnings_;
   std::vector<Past> past_;
   double highest_ = 0;           // limit of height
-  double slow_ = 0;              // u h, length in a step
+  double slow_move_ = 0;         // u h: who moves less up or down in a step is slow
   std::int64_t slow_steps_ = 0;  // between looks for pups that hang
 };
 

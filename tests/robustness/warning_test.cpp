@@ -1,4 +1,4 @@
-// Impossible states are reported, once each, and ordinary litters are never accused of any.
+// Impossible states are reported, once each; ordinary litters get no warning.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -230,6 +230,22 @@ TEST(Warnings, WithoutGravityNothingHangs) {
   Simulation s(p);
   EXPECT_TRUE(s.run(1500).ok());
   EXPECT_EQ(text_of(s), "");
+}
+
+// Points so large that pups touch over a gap wider than a pup radius. Nobody observes `unseen`, so
+// its contacts do not list who touches whom.
+TEST(Warnings, AreTheSameWhetherOrNotTheLitterIsObserved) {
+  for (const double point_radius : {0.2, 0.3, 0.5}) {
+    Params p;
+    p.face_points = 3;
+    p.point_radius = point_radius;
+    Simulation seen(p), unseen(p);
+    unseen.set_observed(false);
+    seen.run(600);
+    unseen.run(600);
+    EXPECT_EQ(text_of(seen), "") << point_radius;
+    EXPECT_EQ(text_of(unseen), "") << point_radius;
+  }
 }
 
 void expect_none(const char* what, std::int64_t steps, void (*edit)(Params&)) {

@@ -320,18 +320,18 @@ std::vector<Problem> check(const Params& params) {
     if (!check_value(parameter, parameter.get(params), problem)) problems.push_back(problem);
   }
   const double reach = params.pup_radius + params.point_radius;
+  const double widest = params.arena_radius / std::sqrt(2.0);  // then a corner is at the wall
   if (params.arena_radius <= reach) {
     problems.push_back(
         {"arena_radius",
          "arena_radius = " + number_text(params.arena_radius) +
              ": arena radius must exceed pup_radius + point_radius = " + number_text(reach)});
-  } else if (params.start == Start::column && 2 * params.start_spread * params.start_spread >
-                                                  params.arena_radius * params.arena_radius) {
+  } else if (params.start == Start::column && params.start_spread > widest) {
     problems.push_back(
         {"start_spread", "start_spread = " + number_text(params.start_spread) +
                              ": a pup may start outside the arena; start spread must be at most "
                              "arena_radius / sqrt(2) = " +
-                             number_text(params.arena_radius / std::sqrt(2.0))});
+                             number_text(widest)});
   }
   // Rounding moves a body's mean by some 4e-9 in a step; over dt that is a velocity, and from here
   // on an acceleration like the drive's.

@@ -122,6 +122,10 @@ TEST(Params, AColumnThatReachesBeyondTheWallIsRefused) {
   EXPECT_THROW(Simulation{p}, InvalidParams);
   p.start = Start::carpet;  // does not use it
   EXPECT_TRUE(check(p).empty());
+  p.start = Start::column;
+  p.arena_radius = 0.44;
+  p.start_spread = 0.3111269837220809;  // what a message would name
+  EXPECT_TRUE(check(p).empty());
 }
 
 TEST(Params, WhatDefinesTheLitterNeedsARestart) {

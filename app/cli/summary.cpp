@@ -33,7 +33,8 @@ std::string means_text(const Simulation& simulation, const Seen& seen) {
         done, discard, discard);
   }
   const Observables m = means.means();
-  std::string text = format("means over steps %lld to %lld\n", discard + 1, done);
+  const long long first = done - means.count() + 1;  // after --from later than discard + 1
+  std::string text = format("means over steps %lld to %lld\n", first, done);
   // Whole, so that they can be held against a sweep's row for the same parameters and seed.
   const auto line = [&](const char* name, double value, const char* unit = "") {
     text += format("  %-24s %s%s\n", name, io::number_text(value).c_str(), unit);

@@ -37,6 +37,13 @@ TEST_F(CliCheckpoint, ASplitRunGivesTheRowsOfAWholeOne) {
   EXPECT_THAT(whole, EndsWith(from_51));
 }
 
+TEST_F(CliCheckpoint, TheSummaryNamesTheStepsThatItsMeansAreOver) {
+  ASSERT_EQ(
+      run(small({"--set", "discard=10", "--steps", "50", "--checkpoint", "c.h5", "--quiet"})).code,
+      0);
+  EXPECT_THAT(run({"--from", "c.h5", "--steps", "90"}).out, HasSubstr("means over steps 51 to 90"));
+}
+
 TEST_F(CliCheckpoint, WhoTouchesWhomGoesOnFromARunThatNobodyWatched) {
   // So small an arena that they lie on each other: groups that are there before and after.
   const auto crowded = [&](std::vector<std::string> more) {

@@ -17,12 +17,12 @@ struct RunResult {
   Status status;          // of the last step; when it is bad, the means are not to be used
   Observables means;      // over the steps after `discard`
   double exposed_sd = 0;  // standard deviation of a pup's A over time, mean over pups
-  Warnings warnings;      // that the steps taken came to
+  Warnings warnings;      // of the steps that were taken
 };
 
-/// Runs `params.steps` steps, or to the first bad status. The litter is observed only
-/// from where the means need it: flow_lag steps before they begin. Nothing when `stop` (asked
-/// between steps) told it to give up. Throws InvalidParams.
+/// Runs `params.steps` steps, or to the first bad status. The litter is observed only from where
+/// the means need it: flow_lag steps before they begin. Nothing when `stop` (asked between steps)
+/// told it to give up. Throws InvalidParams.
 std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop);
 
 /// Runs number 0 ... count - 1 of `params_of`, on `threads` threads (at least 1). `deliver` gets

@@ -27,8 +27,9 @@ double mean_touched_temperature(const State<Real>& state, int pup) {
   return std::isfinite(plain) ? plain : mean(kSumUnit);
 }
 
-/// T_b after one step as a mean of T_b, T_a and T_c plus what G adds: for where the rate overflows,
-/// or T_b is forgotten within the step and its digits would hide the equilibrium.
+/// T_b after one step as a mean of T_b, T_a and T_c plus what G adds. For rates that overflow, and
+/// for a T_b that decays by more than a factor of e: the rounding of a large T_b can then be larger
+/// than what the step leads to.
 double mean_after_step(const Params& params, double tb, double to_air, double to_others,
                        double contact_mean) {
   const double conductance = to_air + to_others, decay = conductance * params.dt;

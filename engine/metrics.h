@@ -95,7 +95,7 @@ class RunMeans {
   std::int64_t count() const { return count_; }
 
   /// Means over the added steps; NaN when there are none. That of the flow is over the steps that
-  /// have one: all but the first flow_lag - 1 of a run.
+  /// have one: all but the first flow_lag - 1 that the observer sees.
   Observables means() const;
 
   /// Standard deviation of a pup's A over time, averaged over pups; NaN below two steps.

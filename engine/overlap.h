@@ -48,7 +48,7 @@ class OverlapMeter {
   const double* points_of(int pup) const;
   void fill_slabs(int body);
   int slab_at(double y) const;
-  // Both want the slabs of `body`.
+  // Both need `fill_slabs(body)` before.
   int winding_number(int body, const double* point) const;
   void find_inside(int pup, int body);
 

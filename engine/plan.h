@@ -40,8 +40,8 @@ struct Plan {
   friend bool operator==(const Plan&, const Plan&) = default;
 };
 
-/// The plan for `params` (which must be sound). `observed` tells whether anybody looks at exposure,
-/// groups or flow.
+/// The plan for `params` (which must be sound). `observed`: whether anybody looks at exposure,
+/// touched pups, touching pairs or what is made from them.
 Plan make_plan(const Params& params, bool observed);
 
 /// What either plan has, and what that reads: a turn and a mean temperature read whom each point

@@ -57,7 +57,7 @@ ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, do
 /// The fits of one pup that goals are made from.
 struct BodyFit {
   ModeMatrix shape;     // of x*, its velocity damped
-  ModeMatrix velocity;  // that damping draws to, w; not set unless body.damps()
+  ModeMatrix velocity;  // w, to which damping draws; not set unless body.damps()
 };
 template <class Real>
 BodyFit fit_body(const Params& params, const StepBody& body, bool quadratic,

@@ -32,7 +32,7 @@ class Simulation::Model {
   virtual std::span<const int> touched() const = 0;
   virtual std::span<const TouchingPair> touching() const = 0;
   virtual const Warnings& warnings() const = 0;
-  virtual void set_by_hand() = 0;  // something was, so the next step is judged as a first one
+  virtual void set_by_hand() = 0;  // parameters or points were: warnings judge from here on
   virtual std::int64_t step() const = 0;
   virtual Clock& clock() = 0;
   virtual int pups() const = 0;

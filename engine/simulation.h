@@ -47,7 +47,8 @@ class Simulation {
   /// Whether somebody will look at exposure, touched pups, touching pairs or groups; true at first.
   /// Steps taken while this is false record of them only what heat and steering read; the others
   /// stay as the last observed step left them. May change between any two steps: it changes no bit
-  /// of the litter. Flow compares with the step before, which must be observed, too.
+  /// of the litter. Pup flow compares with the step flow_lag before, membership flow with the step
+  /// before: these must be observed, too.
   void set_observed(bool observed);
 
   /// Runs the stages and parts of `more` too, from the next step on, though the scene needs none of
@@ -73,8 +74,8 @@ class Simulation {
   /// The status of the last step.
   const Status& status() const;
 
-  /// Impossible states that all steps so far came to, the first of each kind, by step (warning.h).
-  /// They change nothing. A copy keeps them; a simulation made from a snapshot begins without.
+  /// The impossible states of all steps so far, the first of each kind, by step (warning.h). They
+  /// change nothing. A copy keeps them; a simulation made from a snapshot begins without any.
   std::span<const Warning> warnings() const;
 
   std::int64_t steps_done() const;

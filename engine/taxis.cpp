@@ -36,7 +36,7 @@ double excitation(const Params& params, double tb, double t) {
 
 /// (S_L - S_R)/(S_L + S_R).
 double preference(const Params& params, double tb, double t_left, double t_right) {
-  // From here on an exponent is not known to 1, and one that overflows not at all.
+  // Larger exponents may be off by 1 and more, or have overflowed.
   constexpr double kCoarse = 0x1p53;
   const double left = excitation(params, tb, t_left), right = excitation(params, tb, t_right);
   // Both sides multiplied by the denominators and exp(-top): the largest exponential is then 1, so

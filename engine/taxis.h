@@ -15,9 +15,8 @@
 namespace pupflow {
 
 /// The turn for given temperatures, radians within +-pi/2. Finite for any finite input; 0 where
-/// t_left = t_right. Where an exponent overflows, the right answer still stands: a pup whose
-/// sensors both read next to nothing compares the exponents, S_L/S_R being the exponential of their
-/// difference, and one whose sensors both read 1 does not turn.
+/// t_left = t_right. Right where an exponent overflows, too: if both sensors read next to nothing,
+/// S_L/S_R is the exponential of the difference of the exponents; if both read 1, the turn is 0.
 double turn(const Params& params, double tb, double t_left, double t_right);
 
 /// Direction psi of a pup's own axis, from its first point (its tail) to its centre, in (-pi, pi].

@@ -1,4 +1,4 @@
-// States that a run cannot mean, though all its numbers are finite: reported once each, and the run
+// Impossible states of a litter whose numbers are all finite. Each is reported once, and the run
 // goes on.
 #pragma once
 
@@ -22,7 +22,7 @@ struct Warning {
   std::int64_t step = 0;  // counted from 1
   int pup = -1;
 
-  /// A few words for people, without commas, e.g. "hanging from step 812 pup 3".
+  /// A few words for people, without commas, e.g. "hanging in the air from step 812 pup 3".
   std::string message() const;
 };
 constexpr int kWarningKinds = 4;

@@ -132,7 +132,7 @@ class Run {
     if (!later) observer_.reset();
     // The state before a step that is compared with a later one, as the last step left it.
     if (later && !observer_ && wanted(step - 1, lag)) observer_.emplace(simulation_);
-    // A checkpoint holds who touches whom, with which whoever goes on compares.
+    // A checkpoint holds who touches whom: the run that goes on from it compares with that.
     const bool observed = later || pups_row || frame || !options_.checkpoint.empty();
     if (observed != observed_) simulation_.set_observed(observed_ = observed);
     if (!simulation_.step().ok()) return;

@@ -13,7 +13,7 @@ namespace pupflow::cli {
 /// A few words about the litter of `params`, e.g. for a first line.
 std::string litter_words(const Params& params);
 
-/// Overlap is measured every so many steps, since it takes as long as several of them.
+/// Overlap is measured once in so many steps, since it takes as long as some ten of them.
 constexpr int kOverlapEvery = 10;
 
 /// What was seen of a run.

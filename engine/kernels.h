@@ -85,11 +85,11 @@ struct Kernels {
   /// upper one; at equal distances the candidate of the lower index is the nearer one. Returns
   /// whether there is any; only then is the result complete. touch_nearest finds the nearest lower
   /// point of each candidate, touch_sums the sums over all of them.
-  using Touch = bool(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
-                     const CandidateContacts<Real>& contacts_a,
-                     const CandidateContacts<Real>& contacts_b);
-  Touch* touch_nearest;
-  Touch* touch_sums;
+  using FindTouching = bool(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
+                            const CandidateContacts<Real>& contacts_a,
+                            const CandidateContacts<Real>& contacts_b);
+  FindTouching* touch_nearest;
+  FindTouching* touch_sums;
 };
 
 /// The loops for one instruction set, which must be supported.

@@ -77,11 +77,15 @@ void run_job(const Job& job, std::int64_t seed, const std::vector<Compared>& row
   const auto close = [&](std::size_t i) {
     cells[i] = {simulation.status(), thread_seconds() - begin, numbers_of(means[i])};
   };
+  // As in run_to_end: the first pup flow in the means compares with the step flow_lag before.
+  const std::int64_t first = std::max<std::int64_t>(params.discard - params.flow_lag, 0);
   while (simulation.steps_done() < params.steps && !io::interrupted()) {
-    const bool counts = simulation.steps_done() >= params.discard;
-    if (counts && !observer) observer.emplace(simulation);
+    if (simulation.steps_done() == first) observer.emplace(simulation);
     if (!simulation.step().ok()) break;
-    if (!counts) continue;
+    if (simulation.steps_done() <= params.discard) {
+      if (observer) observer->pass(simulation);
+      continue;
+    }
     const Observables& seen = observer->observe(simulation);
     for (std::size_t i = 0; i < means.size(); ++i) {
       const std::int64_t end = rows[job.rows[i]].change.params.steps;

@@ -113,6 +113,23 @@ TEST(Paired, WindowsOfOneRunAreThoseOfRunsOfTheirOwn) {
   EXPECT_EQ(row(paired, "steps 121 to 200").change.params.discard, 120);
 }
 
+TEST(Paired, PupFlowOverALagIsThatOfRunsOfTheirOwn) {
+  Params base = small();
+  base.flow_lag = 10;
+  Options options;
+  options.quiet = true;
+  options.threads = 2;
+  const Paired paired = compare({"test", changes_of(base, 2), 2, {"flow"}}, options);
+  for (const Compared& r : paired.rows) {
+    if (r.change.group != "window") continue;
+    std::vector<double> flows;
+    for (const std::int64_t seed : {5, 6}) {
+      flows.push_back(run_of(r.change.params, seed).means.flow);
+    }
+    EXPECT_EQ(r.means[0].mean, estimate_of(flows).mean) << r.change.label;
+  }
+}
+
 TEST(Paired, WhatCannotBeRunSaysWhy) {
   Params rigid = small();
   rigid.alpha = 1;

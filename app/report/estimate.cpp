@@ -29,15 +29,18 @@ bool Estimate::beyond_chance() const {
   return std::abs(mean) > interval;
 }
 
-Estimate estimate_of(const std::vector<double>& values) {
+MeanAndError mean_and_error(std::span<const double> values) {
   const auto n = static_cast<double>(values.size());
   double mean = 0, squares = 0;
   for (const double value : values) mean += value / n;
   for (const double value : values) squares += (value - mean) * (value - mean);
+  return {mean, values.size() < 2 ? kNone : std::sqrt(squares / (n - 1) / n)};
+}
+
+Estimate estimate_of(const std::vector<double>& values) {
   if (values.empty()) return {kNone, kNone};
-  if (values.size() == 1) return {mean, kNone};
-  const double sd = std::sqrt(squares / (n - 1));
-  return {mean, interval_factor(static_cast<std::int64_t>(values.size())) * sd / std::sqrt(n)};
+  const auto [mean, error] = mean_and_error(values);
+  return {mean, interval_factor(static_cast<std::int64_t>(values.size())) * error};
 }
 
 double interval_factor(std::int64_t runs) {

@@ -2,9 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace pupflow::report {
+
+/// A mean over seeds, and its standard error.
+struct MeanAndError {
+  double mean = 0, error = 0;
+};
+
+/// The mean of `values` (0 for none) and its standard error, sd / sqrt(count), NaN below two.
+MeanAndError mean_and_error(std::span<const double> values);
 
 /// A mean over seeds and half of its 95 % interval (Student's t); NaN where there are too few.
 struct Estimate {

@@ -14,9 +14,9 @@ namespace {
 constexpr std::array<const char*, 6> kNames{"mean_tb", "huddling", "groups",
                                             "largest", "flow",     "exposed_sd"};
 
-Curve curve_of(const std::string& reading, const std::vector<double>& ta,
-               const std::vector<std::vector<Estimate>>& means) {
-  Curve curve{reading, ta, {}, {}, {}};
+ReadingCurve curve_of(const std::string& reading, const std::vector<double>& ta,
+                      const std::vector<std::vector<MeanAndError>>& means) {
+  ReadingCurve curve{reading, ta, {}, {}, {}};
   const Params defaults;
   for (std::size_t i = 0; i < ta.size(); ++i) {
     curve.means.push_back(means[i]);
@@ -29,14 +29,14 @@ Curve curve_of(const std::string& reading, const std::vector<double>& ta,
 }
 
 void write_csv(const Report& report, const std::string& name, const Params& params,
-               const std::vector<Curve>& curves) {
+               const std::vector<ReadingCurve>& curves) {
   std::string columns = "reading,ta";
   for (const std::string number : kNames) columns += "," + number + "," + number + "_se";
   io::CsvFile csv = report.csv(name, params, columns + ",slope,ta_star,tb_above_ta");
-  for (const Curve& curve : curves) {
+  for (const ReadingCurve& curve : curves) {
     for (std::size_t i = 0; i < curve.ta.size(); ++i) {
       csv.cell(std::string_view(curve.reading)).cell(curve.ta[i]);
-      for (const Estimate& number : curve.means[i]) csv.cell(number.mean).cell(number.error);
+      for (const MeanAndError& number : curve.means[i]) csv.cell(number.mean).cell(number.error);
       csv.cell(curve.slope[i]).cell(curve.held[i]).cell(curve.means[i][kTb].mean - curve.ta[i]);
       csv.end_row();
     }
@@ -44,13 +44,13 @@ void write_csv(const Report& report, const std::string& name, const Params& para
   csv.commit();
 }
 
-void curve_table(Report& report, const Curve& curve) {
+void curve_table(Report& report, const ReadingCurve& curve) {
   report.subheading("contact = " + curve.reading);
   std::vector<io::Row> rows{{"T_a", "mean T_b", "1 − A", "groups", "largest", "flow, lag 1",
                              "sd of A", "\\|dA/dT_a\\|", "T_a*"}};
   for (std::size_t i = 0; i < curve.ta.size(); ++i) {
     rows.push_back({rounded(curve.ta[i])});
-    for (const Estimate& number : curve.means[i]) rows.back().push_back(text_of(number));
+    for (const MeanAndError& number : curve.means[i]) rows.back().push_back(text_of(number));
     rows.back().push_back(rounded(curve.slope[i], 2));
     rows.back().push_back(rounded(curve.held[i]));
   }
@@ -63,7 +63,7 @@ std::string range_text(double low, double high, int digits = 3) {
 
 /// The lowest and highest mean of number `n` where `in` is true of T_a.
 template <class In>
-std::string extent(const Curve& curve, std::size_t n, In in) {
+std::string extent(const ReadingCurve& curve, std::size_t n, In in) {
   double low = INFINITY, high = -INFINITY;
   for (std::size_t i = 0; i < curve.ta.size(); ++i) {
     if (!in(curve.ta[i])) continue;
@@ -81,7 +81,7 @@ bool warm(double ta) {
 }
 
 /// The temperatures whose mean T_b lies within 0.03 of T_p, among those of the sweep.
-std::string regulated(const Curve& curve) {
+std::string regulated(const ReadingCurve& curve) {
   double low = INFINITY, high = -INFINITY;
   for (std::size_t i = 0; i < curve.ta.size(); ++i) {
     if (std::abs(curve.means[i][kTb].mean - Params{}.tp) > 0.03) continue;
@@ -91,7 +91,7 @@ std::string regulated(const Curve& curve) {
   return low > high ? "nowhere" : range_text(low, high, 2);
 }
 
-std::string highest(const Curve& curve, std::size_t n) {
+std::string highest(const ReadingCurve& curve, std::size_t n) {
   std::size_t top = 0;
   for (std::size_t i = 0; i < curve.ta.size(); ++i) {
     if (curve.means[i][n].mean > curve.means[top][n].mean) top = i;
@@ -99,18 +99,18 @@ std::string highest(const Curve& curve, std::size_t n) {
   return rounded(curve.means[top][n].mean) + " at " + rounded(curve.ta[top], 2);
 }
 
-std::string peak_text(const Curve& curve, std::size_t n) {
+std::string peak_text(const ReadingCurve& curve, std::size_t n) {
   const Peak peak = peak_of(curve, n);
   return rounded(peak.height) + " at " + rounded(peak.ta, 2) + ", by " + rounded(peak.above, 2);
 }
 
-std::string steepest(const Curve& curve) {
+std::string steepest(const ReadingCurve& curve) {
   const auto at = std::max_element(curve.slope.begin(), curve.slope.end()) - curve.slope.begin();
   return rounded(curve.slope[static_cast<std::size_t>(at)], 2) + " at " +
          rounded(curve.ta[static_cast<std::size_t>(at)], 2);
 }
 
-double mean_held_in_the_cold(const Curve& curve) {
+double mean_held_in_the_cold(const ReadingCurve& curve) {
   double huddling = 0;
   int count = 0;
   for (std::size_t i = 0; i < curve.ta.size(); ++i) {
@@ -122,29 +122,29 @@ double mean_held_in_the_cold(const Curve& curve) {
   return defaults.tp - defaults.g / (defaults.k1 * (1 - huddling / count));
 }
 
-void summary_table(Report& report, const std::vector<Curve>& curves) {
+void summary_table(Report& report, const std::vector<ReadingCurve>& curves) {
   std::vector<io::Row> rows{{""}};
-  for (const Curve& curve : curves) rows[0].push_back(curve.reading);
+  for (const ReadingCurve& curve : curves) rows[0].push_back(curve.reading);
   const auto row = [&](const std::string& title, const auto& cell) {
     rows.push_back({title});
-    for (const Curve& curve : curves) rows.back().push_back(cell(curve));
+    for (const ReadingCurve& curve : curves) rows.back().push_back(cell(curve));
   };
   row("T_b − T_a at the lowest T_a",
-      [](const Curve& c) { return rounded(c.means[0][kTb].mean - c.ta[0]); });
-  row("1 − A, cold", [](const Curve& c) { return extent(c, kHuddling, cold); });
-  row("1 − A, warm", [](const Curve& c) { return extent(c, kHuddling, warm); });
+      [](const ReadingCurve& c) { return rounded(c.means[0][kTb].mean - c.ta[0]); });
+  row("1 − A, cold", [](const ReadingCurve& c) { return extent(c, kHuddling, cold); });
+  row("1 − A, warm", [](const ReadingCurve& c) { return extent(c, kHuddling, warm); });
   row("T_a* from the mean A of the cold",
-      [](const Curve& c) { return rounded(mean_held_in_the_cold(c), 2); });
+      [](const ReadingCurve& c) { return rounded(mean_held_in_the_cold(c), 2); });
   row("T_a at which mean T_b is within 0.03 of T_p", regulated);
   row("steepest \\|dA/dT_a\\|", steepest);
-  row("groups, cold", [](const Curve& c) { return extent(c, kGroups, cold); });
-  row("groups, warm", [](const Curve& c) { return extent(c, kGroups, warm); });
-  row("largest group, cold", [](const Curve& c) { return extent(c, kLargest, cold); });
-  row("largest group, warm", [](const Curve& c) { return extent(c, kLargest, warm); });
+  row("groups, cold", [](const ReadingCurve& c) { return extent(c, kGroups, cold); });
+  row("groups, warm", [](const ReadingCurve& c) { return extent(c, kGroups, warm); });
+  row("largest group, cold", [](const ReadingCurve& c) { return extent(c, kLargest, cold); });
+  row("largest group, warm", [](const ReadingCurve& c) { return extent(c, kLargest, warm); });
   for (const auto& [title, n] : {std::pair{"flow, lag 1", kFlow}, {"sd of A", kExposedSd}}) {
-    row(std::string(title) + ": highest", [&](const Curve& c) { return highest(c, n); });
+    row(std::string(title) + ": highest", [&](const ReadingCurve& c) { return highest(c, n); });
     row(std::string(title) + ": highest from 0.3 to 0.6, by how much",
-        [&](const Curve& c) { return peak_text(c, n); });
+        [&](const ReadingCurve& c) { return peak_text(c, n); });
   }
   report.table(rows);
 }
@@ -200,7 +200,7 @@ void show_heading(Report& report, Heading heading, int temperatures, int seeds) 
     }
   }
   const auto means = means_of_runs(name, settings, seeds, options, measure_reading);
-  std::vector<Curve> curves;
+  std::vector<ReadingCurve> curves;
   for (std::size_t i = 0; i < std::size(kReadings); ++i) {
     const auto begin = means.begin() + static_cast<std::ptrdiff_t>(i * ta.size());
     curves.push_back(
@@ -218,7 +218,7 @@ void show_heading(Report& report, Heading heading, int temperatures, int seeds) 
       "the highest mean is above the lowest one on its less steep side; below 3 it is no "
       "peak.");
   summary_table(report, curves);
-  for (const Curve& curve : curves) curve_table(report, curve);
+  for (const ReadingCurve& curve : curves) curve_table(report, curve);
 }
 
 }  // namespace
@@ -236,7 +236,7 @@ std::vector<double> measure_reading(const Params& params) {
   return {o.mean_tb, o.huddling, o.groups, o.largest, o.flow, means.exposed_sd()};
 }
 
-Peak peak_of(const Curve& curve, std::size_t number) {
+Peak peak_of(const ReadingCurve& curve, std::size_t number) {
   const auto mean = [&](std::size_t i) { return curve.means[i][number].mean; };
   std::size_t top = curve.ta.size();
   for (std::size_t i = 0; i < curve.ta.size(); ++i) {

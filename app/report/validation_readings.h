@@ -20,12 +20,12 @@ enum Number : std::size_t { kTb, kHuddling, kGroups, kLargest, kFlow, kExposedSd
 std::vector<double> measure_reading(const Params& params);
 
 /// One reading over T_a.
-struct Curve {
+struct ReadingCurve {
   std::string reading;
   std::vector<double> ta;
-  std::vector<std::vector<Estimate>> means;  // [temperature][Number]
-  std::vector<double> slope;                 // |dA/dT_a| by central differences
-  std::vector<double> held;                  // T_a* = T_p - G/(k1 A)
+  std::vector<std::vector<MeanAndError>> means;  // [temperature][Number]
+  std::vector<double> slope;                     // |dA/dT_a| by central differences
+  std::vector<double> held;                      // T_a* = T_p - G/(k1 A)
 };
 
 /// The highest mean of a number among T_a from 0.3 to 0.6, where the paper sees the transition.
@@ -34,6 +34,6 @@ struct Peak {
   double above;  // over the lowest mean at lower T_a and over that at higher T_a, whichever is
                  // less, in standard errors of the difference; 0 at an end of the whole range
 };
-Peak peak_of(const Curve& curve, std::size_t number);
+Peak peak_of(const ReadingCurve& curve, std::size_t number);
 
 }  // namespace pupflow::report

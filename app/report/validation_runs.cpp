@@ -3,31 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "app/io/failure.h"
 #include "app/report/share_out.h"
 
 namespace pupflow::report {
 
-Estimate estimate(std::span<const double> values) {
-  const auto n = static_cast<double>(values.size());
-  double mean = 0, squares = 0;
-  for (const double value : values) mean += value / n;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  const double error = values.size() < 2 ? std::numeric_limits<double>::quiet_NaN()
-                                         : std::sqrt(squares / (n - 1) / n);
-  return {mean, error};
-}
-
-std::string text_of(const Estimate& estimate) {
+std::string text_of(const MeanAndError& number) {
   // An error of rounding size is none.
-  if (!(estimate.error > 1e-12 * std::abs(estimate.mean)) || !std::isfinite(estimate.error)) {
-    return rounded(estimate.mean);
+  if (!(number.error > 1e-12 * std::abs(number.mean)) || !std::isfinite(number.error)) {
+    return rounded(number.mean);
   }
-  const int places = std::clamp(1 - static_cast<int>(std::floor(std::log10(estimate.error))), 0, 8);
+  const int places = std::clamp(1 - static_cast<int>(std::floor(std::log10(number.error))), 0, 8);
   char text[80];
-  std::snprintf(text, sizeof text, "%.*f ± %.*f", places, estimate.mean, places, estimate.error);
+  std::snprintf(text, sizeof text, "%.*f ± %.*f", places, number.mean, places, number.error);
   return text;
 }
 
@@ -63,13 +52,15 @@ std::vector<std::vector<std::vector<double>>> all_runs(const std::string& what,
   return numbers;
 }
 
-std::vector<std::vector<Estimate>> means_of_runs(const std::string& what,
-                                                 const std::vector<Params>& settings, int seeds,
-                                                 const Options& options, const Measure& measure) {
-  std::vector<std::vector<Estimate>> means;
+std::vector<std::vector<MeanAndError>> means_of_runs(const std::string& what,
+                                                     const std::vector<Params>& settings, int seeds,
+                                                     const Options& options,
+                                                     const Measure& measure) {
+  std::vector<std::vector<MeanAndError>> means;
   for (const auto& numbers : all_runs(what, settings, seeds, options, measure)) {
     means.emplace_back();
-    for (const std::vector<double>& values : numbers) means.back().push_back(estimate(values));
+    for (const std::vector<double>& values : numbers)
+      means.back().push_back(mean_and_error(values));
   }
   return means;
 }

@@ -2,25 +2,17 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "app/report/estimate.h"
 #include "app/report/report.h"
 #include "engine/simulation.h"
 
 namespace pupflow::report {
 
-/// A mean over seeds, with its standard error (NaN below two seeds).
-struct Estimate {
-  double mean = 0, error = 0;
-};
-
-/// The mean of `values` and its standard error, sd / sqrt(count).
-Estimate estimate(std::span<const double> values);
-
 /// "0.581 ± 0.015": the error in two significant digits, the mean to the same place.
-std::string text_of(const Estimate& estimate);
+std::string text_of(const MeanAndError& number);
 
 /// One step. Throws io::Failure: interrupted when Ctrl-C came, bad_numbers when the status is bad.
 void step_on(Simulation& simulation);
@@ -37,9 +29,10 @@ std::vector<std::vector<std::vector<double>>> all_runs(const std::string& what,
                                                        const Measure& measure);
 
 /// The same, each number averaged over the seeds: [setting][number].
-std::vector<std::vector<Estimate>> means_of_runs(const std::string& what,
-                                                 const std::vector<Params>& settings, int seeds,
-                                                 const Options& options, const Measure& measure);
+std::vector<std::vector<MeanAndError>> means_of_runs(const std::string& what,
+                                                     const std::vector<Params>& settings, int seeds,
+                                                     const Options& options,
+                                                     const Measure& measure);
 
 /// `count` evenly spaced numbers from `from` to `to`, both among them.
 std::vector<double> spaced(double from, double to, int count);

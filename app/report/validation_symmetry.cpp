@@ -166,11 +166,11 @@ void means_table(Report& report) {
     for (std::size_t n = 0; n < std::size(titles); ++n) {
       std::vector<double> difference(seeds);
       for (std::size_t s = 0; s < seeds; ++s) difference[s] = runs[1][i][n][s] - runs[0][i][n][s];
-      const Estimate all[] = {estimate(runs[0][i][n]), estimate(runs[1][i][n]),
-                              estimate(difference)};
+      const MeanAndError all[] = {mean_and_error(runs[0][i][n]), mean_and_error(runs[1][i][n]),
+                                  mean_and_error(difference)};
       csv.cell(std::string_view(heading)).cell(std::int64_t(n));
       rows.push_back({heading, titles[n]});
-      for (const Estimate& e : all) {
+      for (const MeanAndError& e : all) {
         csv.cell(e.mean).cell(e.error);
         rows.back().push_back(text_of(e));
       }

@@ -63,7 +63,7 @@ void wall_section(Report& report) {
   for (std::size_t look = 0; look < at.size(); ++look) {
     rows.push_back({std::to_string(at[look])});
     for (std::size_t i = 0; i < settings.size(); ++i) {
-      const Estimate& share = means[i][look];
+      const MeanAndError& share = means[i][look];
       rows.back().push_back(text_of(share));
       csv.cell(std::int64_t{settings[i].pups}).cell(settings[i].ta).cell(at[look]);
       csv.cell(share.mean).cell(share.error).end_row();

@@ -40,7 +40,7 @@ constexpr std::array<const char*, 6> kNames{"mean_tb", "huddling", "groups",
                                             "largest", "flow",     "exposed_sd"};
 
 void show(Report& report, const std::string& name, const std::vector<Params>& settings,
-          const std::vector<std::vector<Estimate>>& means) {
+          const std::vector<std::vector<MeanAndError>>& means) {
   std::string columns = "contact,ta,window";
   for (const std::string number : kNames) columns += "," + number + "," + number + "_se";
   io::CsvFile csv = report.csv(name, Params{}, columns);
@@ -55,7 +55,7 @@ void show(Report& report, const std::string& name, const std::vector<Params>& se
     for (std::size_t i = 0; i < settings.size(); ++i) {
       csv.cell(reading(i)).cell(settings[i].ta).cell(kWindows[window].name);
       for (std::size_t n = 0; n < kNames.size(); ++n) {
-        const Estimate& number = means[i][window * kNames.size() + n];
+        const MeanAndError& number = means[i][window * kNames.size() + n];
         csv.cell(number.mean).cell(number.error);
       }
       csv.end_row();

@@ -22,9 +22,9 @@ Params cold_litter() {
 
 TEST(Estimates, AreMeanAndStandardError) {
   const std::vector<double> values{1, 2, 3, 6};
-  EXPECT_DOUBLE_EQ(estimate(values).mean, 3);
-  EXPECT_DOUBLE_EQ(estimate(values).error, std::sqrt(14.0 / 3 / 4));
-  EXPECT_TRUE(std::isnan(estimate(std::vector{1.0}).error));
+  EXPECT_DOUBLE_EQ(mean_and_error(values).mean, 3);
+  EXPECT_DOUBLE_EQ(mean_and_error(values).error, std::sqrt(14.0 / 3 / 4));
+  EXPECT_TRUE(std::isnan(mean_and_error(std::vector{1.0}).error));
 }
 
 TEST(Estimates, ShowAsManyPlacesAsTheErrorHas) {
@@ -63,8 +63,8 @@ TEST(Readings, MeasureWhatASweepMeasures) {
   EXPECT_EQ(numbers[kExposedSd], expected->exposed_sd);
 }
 
-Curve curve_with(const std::vector<double>& heights) {
-  Curve curve{"", spaced(0, 1, static_cast<int>(heights.size())), {}, {}, {}};
+ReadingCurve curve_with(const std::vector<double>& heights) {
+  ReadingCurve curve{"", spaced(0, 1, static_cast<int>(heights.size())), {}, {}, {}};
   for (const double height : heights) curve.means.push_back({{height, 0.1}});
   return curve;
 }

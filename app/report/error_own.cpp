@@ -85,7 +85,7 @@ std::string answer(const Paired& paired, std::size_t observable) {
                         return p.dt == own.dt / 2 && p.refinement == own.refinement;
                       }) +
          change_words(paired, observable, "Going on for twice the steps", [&](const Params& p) {
-           return p.steps == 2 * own.steps && p.discard == own.discard;
+           return p.dt == own.dt && p.steps == 2 * own.steps && p.discard == own.discard;
          });
 }
 

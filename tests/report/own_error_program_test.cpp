@@ -54,6 +54,18 @@ TEST(OwnErrorProgram, SaysInWordsHowExactARunIs) {
               AllOf(Contains(Pair("pups", "4")), Contains(Pair("ta", "0.2"))));
 }
 
+TEST(OwnErrorProgram, TellsALongerRunFromAShorterStepWithoutADiscard) {
+  const Scratch scratch;
+  const Outcome outcome = report_error(scratch, {"--seeds", "3", "--set", "discard=0"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto change = [&](const std::string& words) {
+    const std::size_t begin = outcome.out.find(words) + words.size();
+    return outcome.out.substr(begin, outcome.out.find(',', begin) - begin);
+  };
+  EXPECT_NE(change("Halving dt changes it by "),
+            change("Going on for twice the steps changes it by "));
+}
+
 TEST(OwnErrorProgram, RowsSayWhatIsRefusedAndWhatWentBad) {
   const Scratch scratch;
   const Outcome outcome = report_error(

@@ -1,6 +1,5 @@
 // Several contacts of one point: the three readings (ContactRule) side by side.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "app/report/validation_readings.h"
@@ -9,10 +8,6 @@
 
 namespace pupflow::report {
 namespace {
-
-/// The numbers of a run, in the order of the table.
-constexpr std::array<const char*, 6> kNames{"mean_tb", "huddling", "groups",
-                                            "largest", "flow",     "exposed_sd"};
 
 ReadingCurve curve_of(const std::string& reading, const std::vector<double>& ta,
                       const std::vector<std::vector<MeanAndError>>& means) {
@@ -31,7 +26,7 @@ ReadingCurve curve_of(const std::string& reading, const std::vector<double>& ta,
 void write_csv(const Report& report, const std::string& name, const Params& params,
                const std::vector<ReadingCurve>& curves) {
   std::string columns = "reading,ta";
-  for (const std::string number : kNames) columns += "," + number + "," + number + "_se";
+  for (const std::string number : kNumberNames) columns += "," + number + "," + number + "_se";
   io::CsvFile csv = report.csv(name, params, columns + ",slope,ta_star,tb_above_ta");
   for (const ReadingCurve& curve : curves) {
     for (std::size_t i = 0; i < curve.ta.size(); ++i) {
@@ -214,14 +209,19 @@ void show_heading(Report& report, Heading heading, int temperatures, int seeds) 
   report.text(
       "Cold is T_a below 0.41, warm is T_a above 0.6; \"0.4 … 0.6\" are the lowest and the "
       "highest of the means. T_a* = T_p − G/(k₁ A) is the ambient temperature at which a "
-      "pup with that A is content. \"By\" says how many standard errors of the difference "
-      "the highest mean is above the lowest one on its less steep side; below 3 it is no "
-      "peak.");
+      "pup with that A is content. \"By\" says how far the highest mean is above those at "
+      "lower T_a and above those at higher T_a, in standard errors of the difference: the largest "
+      "such number on each side, then the smaller of the two. Below 3 it is no peak.");
   summary_table(report, curves);
   for (const ReadingCurve& curve : curves) curve_table(report, curve);
 }
 
 }  // namespace
+
+std::vector<double> numbers_of(const RunMeans& means) {
+  const Observables o = means.means();
+  return {o.mean_tb, o.huddling, o.groups, o.largest, o.flow, means.exposed_sd()};
+}
 
 std::vector<double> measure_reading(const Params& params) {
   Simulation simulation(params);
@@ -232,8 +232,7 @@ std::vector<double> measure_reading(const Params& params) {
     step_on(simulation);
     means.add(simulation, observer.observe(simulation));
   }
-  const Observables o = means.means();
-  return {o.mean_tb, o.huddling, o.groups, o.largest, o.flow, means.exposed_sd()};
+  return numbers_of(means);
 }
 
 Peak peak_of(const ReadingCurve& curve, std::size_t number) {

@@ -1,7 +1,10 @@
 // One observable after the other over T_a, for each reading of the contact rule.
 #pragma once
 
+#include <array>
+
 #include "app/report/validation_runs.h"
+#include "engine/metrics.h"
 
 namespace pupflow::report {
 
@@ -16,7 +19,14 @@ constexpr Reading kReadings[] = {
 /// Places of the numbers of a run.
 enum Number : std::size_t { kTb, kHuddling, kGroups, kLargest, kFlow, kExposedSd };
 
-/// The means of one run over its steps after `discard`, in that order.
+/// Their names, for columns.
+constexpr std::array<const char*, 6> kNumberNames{"mean_tb", "huddling", "groups",
+                                                  "largest", "flow",     "exposed_sd"};
+
+/// What a run came to, in the order of Number.
+std::vector<double> numbers_of(const RunMeans& means);
+
+/// The numbers of one run over its steps after `discard`.
 std::vector<double> measure_reading(const Params& params);
 
 /// One reading over T_a.
@@ -31,8 +41,9 @@ struct ReadingCurve {
 /// The highest mean of a number among T_a from 0.3 to 0.6, where the paper sees the transition.
 struct Peak {
   double ta, height;
-  double above;  // over the lowest mean at lower T_a and over that at higher T_a, whichever is
-                 // less, in standard errors of the difference; 0 at an end of the whole range
+  double above;  // above the means at lower T_a and above those at higher T_a, in standard errors
+                 // of the difference: the largest on each side, then the smaller of the two; 0 at
+                 // an end of the whole range
 };
 Peak peak_of(const ReadingCurve& curve, std::size_t number);
 

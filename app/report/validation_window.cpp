@@ -1,6 +1,4 @@
 // What a run's window changes: the paper's steps 501 to 1500 beside later ones.
-#include <array>
-
 #include "app/report/validation_readings.h"
 #include "app/report/validation_sections.h"
 #include "engine/metrics.h"
@@ -28,34 +26,30 @@ std::vector<double> measure_windows(const Params& params) {
     for (std::size_t i = 0; i < std::size(kWindows); ++i) {
       if (simulation.steps_done() <= kWindows[i].steps) means[i].add(simulation, now);
       if (simulation.steps_done() != kWindows[i].steps) continue;
-      const Observables o = means[i].means();
-      numbers.insert(numbers.end(),
-                     {o.mean_tb, o.huddling, o.groups, o.largest, o.flow, means[i].exposed_sd()});
+      const std::vector<double> own = numbers_of(means[i]);
+      numbers.insert(numbers.end(), own.begin(), own.end());
     }
   }
   return numbers;
 }
 
-constexpr std::array<const char*, 6> kNames{"mean_tb", "huddling", "groups",
-                                            "largest", "flow",     "exposed_sd"};
-
 void show(Report& report, const std::string& name, const std::vector<Params>& settings,
           const std::vector<std::vector<MeanAndError>>& means) {
   std::string columns = "contact,ta,window";
-  for (const std::string number : kNames) columns += "," + number + "," + number + "_se";
+  for (const std::string number : kNumberNames) columns += "," + number + "," + number + "_se";
   io::CsvFile csv = report.csv(name, Params{}, columns);
   std::vector<io::Row> rows{{"contact", "T_a", "steps", "mean T_b", "1 − A", "groups", "largest",
                              "flow, lag 1", "sd of A"}};
   const auto reading = [&](std::size_t i) {
     return kReadings[static_cast<std::size_t>(settings[i].contact)].name;
   };
-  const std::size_t windows = means[0].size() / kNames.size();
+  const std::size_t windows = means[0].size() / kNumberNames.size();
   // The file has a window's rows together, since a plot joins them; the page those of a T_a.
   for (std::size_t window = 0; window < windows; ++window) {
     for (std::size_t i = 0; i < settings.size(); ++i) {
       csv.cell(reading(i)).cell(settings[i].ta).cell(kWindows[window].name);
-      for (std::size_t n = 0; n < kNames.size(); ++n) {
-        const MeanAndError& number = means[i][window * kNames.size() + n];
+      for (std::size_t n = 0; n < kNumberNames.size(); ++n) {
+        const MeanAndError& number = means[i][window * kNumberNames.size() + n];
         csv.cell(number.mean).cell(number.error);
       }
       csv.end_row();
@@ -64,8 +58,8 @@ void show(Report& report, const std::string& name, const std::vector<Params>& se
   for (std::size_t i = 0; i < settings.size(); ++i) {
     for (std::size_t window = 0; window < windows; ++window) {
       rows.push_back({reading(i), rounded(settings[i].ta), kWindows[window].name});
-      for (std::size_t n = 0; n < kNames.size(); ++n) {
-        rows.back().push_back(text_of(means[i][window * kNames.size() + n]));
+      for (std::size_t n = 0; n < kNumberNames.size(); ++n) {
+        rows.back().push_back(text_of(means[i][window * kNumberNames.size() + n]));
       }
     }
   }

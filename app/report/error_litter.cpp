@@ -58,12 +58,8 @@ void litter_section(Report& report) {
       "The whole litter is chaotic, so the error of a single run at a point in time says nothing "
       "(see below how fast two runs part). What a user reads off a run or a sweep are means. Every "
       "row below has the same " +
-      std::to_string(quick ? 4 : 40) +
-      " seeds. A change is the mean difference from the base, seed by seed; ± is half of its own "
-      "95 % interval (Student's t), in bold where the interval leaves out 0: one in twenty does so "
-      "by chance. CPU seconds are those of all runs of a row; rows that differ in their window "
-      "alone share their runs. In the plots a triangle is an upper bound, where the interval holds "
-      "0. `pupflow report error SCENE` makes such a table of any scene.");
+      std::to_string(quick ? 4 : 40) + " seeds. " + how_to_read() +
+      " `pupflow report error SCENE` makes such a table of any scene.");
   for (const double ta : kTemperatures) {
     Params base;
     base.ta = ta;

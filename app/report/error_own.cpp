@@ -90,12 +90,8 @@ std::string answer(const Paired& paired, std::size_t observable) {
 }
 
 std::string guide(const Paired& paired) {
-  return "Every row has the same " + seeds_words(paired.seeds) +
-         ". A change is the mean difference from the base, seed by seed; ± is half of its own 95 % "
-         "interval (Student's t), and bold print means that the interval leaves out 0. One change "
-         "in twenty does so by chance. CPU seconds are those of all runs of a row; rows that "
-         "differ in steps and discard alone share their runs. Half and twice the step cover the "
-         "same model seconds. With `naive` another step is another, harder or softer body; "
+  return "Every row has the same " + seeds_words(paired.seeds) + ". " + how_to_read() +
+         " With `naive` another step is another, harder or softer body; "
          "`consistent` keeps the body (docs/numerics.md, Time step and refinement).";
 }
 
@@ -116,9 +112,7 @@ OwnAnswer report_own_error(const Options& options, const OwnRun& run) {
   }
   report.heading("What each choice changes");
   report.text(guide(paired));
-  show(report, "paired",
-       "Size of each change against processor seconds, with its 95 % interval; a triangle is an "
-       "upper bound, where the interval holds 0",
+  show(report, "paired", "Size of each change against processor seconds, with its 95 % interval",
        paired);
   report.finish();
   const Compared& base = paired.rows.front();

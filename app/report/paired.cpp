@@ -148,7 +148,7 @@ Paired compare(const PairedWork& work, const Options& options) {
   const auto count = static_cast<std::int64_t>(jobs.size());
   const auto seeds = static_cast<std::size_t>(work.seeds);
   std::vector<std::vector<Cell>> cells(paired.rows.size(), std::vector<Cell>(seeds));
-  // Seed by seed, so that a busy moment of the machine falls on all changes alike.
+  // Seed by seed, so that other work on the machine slows all changes alike.
   share_out(work.name, count * work.seeds, options, [&](std::int64_t i) {
     const Job& job = jobs[static_cast<std::size_t>(i % count)];
     std::vector<Cell> own(job.rows.size());

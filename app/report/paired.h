@@ -51,8 +51,12 @@ std::vector<std::string> observable_names();
 /// The interval that the base's mean would have with another number of seeds.
 double interval_with(const Paired& paired, std::size_t observable, std::int64_t seeds);
 
-/// "0.571 ± 0.012", as many digits as the interval has a say in; `sign` puts a + before it.
+/// "0.571 ± 0.012": the interval in two digits, the mean to the same place; `sign` puts a + before
+/// a positive mean.
 std::string words_of(const Estimate& estimate, bool sign = false);
+
+/// How to read the table and the plot of a comparison, for the page.
+std::string how_to_read();
 
 /// Puts a comparison on the page: NAME.csv, a plot NAME with `caption`, and a table.
 void show(Report& report, const std::string& name, const std::string& caption,

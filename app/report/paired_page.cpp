@@ -199,6 +199,16 @@ std::string words_of(const Estimate& estimate, bool sign) {
   return plus + text;
 }
 
+std::string how_to_read() {
+  return "A change is the mean difference from the base, seed by seed; ± is half of its own 95 % "
+         "interval (Student's t), and bold print means that the interval leaves out 0. One change "
+         "in twenty does so by chance. CPU seconds are those of all runs of a row; rows that "
+         "differ in steps and discard alone share their runs. Rows with another step cover the "
+         "same model seconds. Flow is over `flow_lag` steps in every row, so with another step it "
+         "is over another time. In the plots a triangle is an upper bound, where the interval "
+         "holds 0.";
+}
+
 void show(Report& report, const std::string& name, const std::string& caption,
           const Paired& paired) {
   write_csv(report, name, paired);

@@ -52,8 +52,8 @@ void take_turn(const Scene& scene, Trial& trial) {
   }
 }
 
-/// The default, then all settings of all curves and asides, in order. They take turns, so that a
-/// busy moment of the machine does not fall on one of them alone.
+/// The default, then all settings of all curves and asides, in order. They take turns, so that
+/// other work on the machine does not slow one of them alone.
 std::vector<Trial> run_all(const Scene& scene, const Options& options) {
   std::vector<Trial> trials{{&scene.standard, {}, 0}};
   for (const Curve& curve : scene.curves) {

@@ -240,7 +240,7 @@ void symmetry_section(Report& report) {
       "and right, always, and counts as right, so a litter and its mirror image differ. The "
       "table has after how many steps some pup's centre is more than 10⁻⁶ from where it should "
       "be: the median over seeds, the least and the most. T_a = 0.2, from step 400 on, when the "
-      "litter is down. In the air (lifted by 3, each pup by a hair more or less) no two points "
+      "litter is down. In the air (lifted by 3, each pup by up to 0.001 more) no two points "
       "are at the same height.");
   partings_table(report);
   report.text(

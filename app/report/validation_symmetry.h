@@ -13,7 +13,7 @@ Simulation relabelled(const Simulation& simulation);
 /// a symmetry of its rest shape that keeps its first point, so that it is the same body turned.
 Simulation mirrored(const Simulation& simulation);
 
-/// `simulation` with each pup a little above the floor, by 3 and a random hair, so that no two
+/// `simulation` with each pup above the floor, by 3 to 3.001 at random, so that no two
 /// points are at the same height.
 Simulation lifted(const Simulation& simulation);
 

@@ -70,11 +70,10 @@ void sum_up(Report& report, const std::vector<std::pair<Scene, SceneResult>>& sc
   report.heading("The scenes in short");
   report.text(
       "Errors as above, and in brackets the time in units of the default's. For these one or two "
-      "pups twice the step takes about half the time, and what that costs stands under dt = 0.02; "
-      "for a litter it saves less, and in the cold nothing, since softer pups touch more (section "
-      "7). Note "
-      "what "
-      "the right answer is: not nature, but the limit of fine steps of the same body. The paper's "
+      "pups twice the step takes half to two thirds of the time, and what that costs stands under "
+      "dt = 0.02; for a litter it saves less, and in the cold nothing, since softer pups touch "
+      "more (section 7). Note what the right answer is: not nature, but the limit of fine steps of "
+      "the same body. The paper's "
       "model has dt = 0.01 in it, and its results are those of the default, errors included. "
       "Scene 5 is left out: its default has no error but rounding.");
   report.table(rows);

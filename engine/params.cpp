@@ -186,7 +186,7 @@ constexpr std::array kTable{
     row<&Params::discard>(Effect::run, {0, kExactInteger, 0, 10000},
                           {"discard", "", "steps left out", "", "run", kPaper,
                            "Steps at the beginning that stay out of a run's means."}),
-    row<&Params::flow_lag>(Effect::run, {1, 1e6, 1, 100},
+    row<&Params::flow_lag>(Effect::run, {1, 10000, 1, 100},
                            {"flow_lag", "", "lag of pup flow", "steps", "run", kPaper,
                             "Pup flow is the change of A over so many steps, divided by their "
                             "time."}),

@@ -34,8 +34,8 @@ std::string verdict(const Paired& paired) {
   const auto words = [](const std::string& list) { return list.empty() ? "nothing" : list; };
   return "**What this means.** Some mean changes by more than twice its interval with: " +
          words(lists[2]) +
-         ". By more than its interval, which one in twenty does by chance: " + words(lists[1]) +
-         ". No change was seen with: " + words(lists[0]) + ".";
+         ". By more than its interval, which one mean in twenty does by chance: " +
+         words(lists[1]) + ". No change was seen with: " + words(lists[0]) + ".";
 }
 
 /// What twice the step does to the time.

@@ -20,6 +20,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// One change in one run.
 struct Cell {
   Status status;
+  std::string warnings;  // of the engine, in words
   double seconds = 0;
   std::vector<double> means;  // of all observables
   bool good() const { return status.ok(); }
@@ -75,7 +76,8 @@ void run_job(const Job& job, std::int64_t seed, const std::vector<Compared>& row
   std::vector<RunMeans> means;
   for (const std::size_t row : job.rows) means.emplace_back(rows[row].change.params.discard);
   const auto close = [&](std::size_t i) {
-    cells[i] = {simulation.status(), thread_seconds() - begin, numbers_of(means[i])};
+    cells[i] = {simulation.status(), warnings_text(simulation.warnings()), thread_seconds() - begin,
+                numbers_of(means[i])};
   };
   // As in run_to_end: the first pup flow in the means compares with the step flow_lag before.
   const std::int64_t first = std::max<std::int64_t>(params.discard - params.flow_lag, 0);
@@ -125,9 +127,14 @@ void sum_up(const std::vector<Cell>& base, const std::vector<Cell>& own, std::si
 
 std::string Compared::trouble(std::int64_t seeds) const {
   if (!refused.empty()) return refused;
-  if (bad == 0) return "";
-  return std::to_string(bad) + " of " + std::to_string(seeds) + " runs went bad, the first with " +
-         first_bad.message();
+  const std::string of = " of " + std::to_string(seeds) + " runs ";
+  std::string text;
+  if (bad > 0) text = std::to_string(bad) + of + "went bad, the first with " + first_bad.message();
+  if (warned > 0) {
+    text += (text.empty() ? "" : "; ") + std::to_string(warned) + of +
+            "ended with a warning, the " + "first with " + first_warning;
+  }
+  return text;
 }
 
 std::vector<std::string> observable_names() {
@@ -167,6 +174,7 @@ Paired compare(const PairedWork& work, const Options& options) {
     }
     for (const Cell& cell : cells[r]) {
       row.seconds += cell.seconds;
+      if (!cell.warnings.empty() && row.warned++ == 0) row.first_warning = cell.warnings;
       if (cell.good()) continue;
       if (row.bad++ == 0) row.first_bad = cell.status;
     }

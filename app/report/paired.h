@@ -18,11 +18,14 @@ struct Compared {
   std::string refused;                // why it was not run, or has no means; empty where it has
   std::int64_t bad = 0;               // runs whose numbers went wrong
   Status first_bad;                   // of the lowest of their seeds
+  std::int64_t warned = 0;            // runs with a warning (engine/warning.h), good or bad
+  std::string first_warning;          // of the lowest of their seeds
   double seconds = 0;                 // processor time of all its runs
   std::vector<Estimate> means;        // over its good runs, by observable
   std::vector<Estimate> differences;  // from the base, over seeds that were good in both
 
-  /// What is wrong with the row in a few words, e.g. "3 of 20 runs diverged"; empty for nothing.
+  /// What is wrong with the row in a few words, e.g. "3 of 20 runs went bad, the first
+  /// with ..."; empty for nothing.
   std::string trouble(std::int64_t seeds) const;
 };
 

@@ -59,7 +59,7 @@ void write_csv(const Report& report, const std::string& name, const Paired& pair
   }
   for (const SeedRow& row : seed_rows(paired, {0.25, 0.5, 1, 2, 4})) {
     csv.cell(std::string_view("seeds")).cell(std::to_string(row.seeds) + " seeds");
-    csv.cell(row.seeds).cell(std::int64_t{0}).cell(std::string_view("foretold"));
+    csv.cell(row.seeds).cell(std::int64_t{0}).cell(std::string_view("expected"));
     csv.cell(row.seconds).cell(row.seconds / base.seconds);
     for (const double interval : row.intervals)
       csv.cell(kNone).cell(interval).cell(kNone).cell(kNone);
@@ -81,7 +81,8 @@ void add_table(Report& report, const Paired& paired) {
   const auto time_words = [&](const Compared& row) -> std::string {
     if (!row.refused.empty()) return check(row.change.params).empty() ? "no means" : "refused";
     const std::string bad = row.bad == 0 ? "" : ", " + std::to_string(row.bad) + " bad";
-    return seconds_words(row.seconds) + bad;
+    const std::string warned = row.warned == 0 ? "" : ", " + std::to_string(row.warned) + " warned";
+    return seconds_words(row.seconds) + bad + warned;
   };
   for (const Compared& row : paired.rows) {
     const bool is_base = row.change.group.empty();
@@ -95,7 +96,7 @@ void add_table(Report& report, const Paired& paired) {
     rows.push_back(std::move(cells));
   }
   for (const SeedRow& row : seed_rows(paired, {0.5, 2})) {
-    io::Row cells{"seeds", std::to_string(row.seeds) + " (foretold)", seconds_words(row.seconds)};
+    io::Row cells{"seeds", std::to_string(row.seeds) + " (expected)", seconds_words(row.seconds)};
     for (const double interval : row.intervals) {
       cells.push_back("± " + rounded(interval, 2));
       cells.emplace_back("");

@@ -144,6 +144,17 @@ TEST(Paired, WhatCannotBeRunSaysWhy) {
   EXPECT_THAT(row(compared(late, 2), "60 steps").trouble(2), HasSubstr("leaves out all 60 steps"));
 }
 
+TEST(Paired, RunsWithAWarningAreCountedAndKept) {
+  Params driven = small();
+  driven.drive = 60;  // presses pups through the wall
+  driven.steps = 200;
+  const Paired paired = compared(driven, 2);
+  EXPECT_EQ(paired.rows[0].warned, 2);
+  EXPECT_THAT(paired.rows[0].trouble(2), HasSubstr("2 of 2 runs ended with a warning, the first "
+                                                   "with outside the wall from step"));
+  EXPECT_TRUE(std::isfinite(paired.rows[0].means[0].mean));
+}
+
 TEST(Paired, RunsThatGoBadAreCountedAndLeftOut) {
   Params hot = small();
   hot.ta = 0.7;

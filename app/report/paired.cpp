@@ -132,7 +132,7 @@ std::string Compared::trouble(std::int64_t seeds) const {
   if (bad > 0) text = std::to_string(bad) + of + "went bad, the first with " + first_bad.message();
   if (warned > 0) {
     text += (text.empty() ? "" : "; ") + std::to_string(warned) + of +
-            "ended with a warning, the " + "first with " + first_warning;
+            "ended with a warning, the first with " + first_warning;
   }
   return text;
 }

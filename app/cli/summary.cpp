@@ -1,22 +1,11 @@
 #include "app/cli/summary.h"
 
 #include <cinttypes>
-#include <cstdarg>
-#include <cstdio>
 
 #include "app/io/text.h"
 
 namespace pupflow::cli {
 namespace {
-
-[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
-  char text[256];
-  std::va_list values;
-  va_start(values, pattern);
-  std::vsnprintf(text, sizeof text, pattern, values);
-  va_end(values);
-  return text;
-}
 
 std::string value_of(const Params& params, std::string_view name) {
   return format_value(*find_parameter(name), params);
@@ -28,29 +17,30 @@ std::string means_text(const Simulation& simulation, const Seen& seen) {
   const long long discard = params.discard, done = simulation.steps_done();
   if (done == 0) return "no means: no step was taken\n";
   if (means.count() == 0) {
-    return format(
+    return io::formatted(
         "no means: the run ended at step %lld, and discard = %lld leaves out steps 1 to %lld\n",
         done, discard, discard);
   }
   const Observables m = means.means();
   const long long first = done - means.count() + 1;  // after --from later than discard + 1
-  std::string text = format("means over steps %lld to %lld\n", first, done);
+  std::string text = io::formatted("means over steps %lld to %lld\n", first, done);
   // Whole, so that they can be held against a sweep's row for the same parameters and seed.
   const auto line = [&](const char* name, double value, const char* unit = "") {
-    text += format("  %-24s %s%s\n", name, io::number_text(value).c_str(), unit);
+    text += io::formatted("  %-24s %s%s\n", name, io::number_text(value).c_str(), unit);
   };
   line("mean body temperature", m.mean_tb);
   line("huddling, 1 - A", m.huddling);
   line("groups", m.groups);
   line("pups in largest group", m.largest);
   const std::string lag =
-      params.flow_lag == 1 ? "" : format(", lag %lld", static_cast<long long>(params.flow_lag));
+      params.flow_lag == 1 ? ""
+                           : io::formatted(", lag %lld", static_cast<long long>(params.flow_lag));
   line(("pup flow" + lag).c_str(), m.flow, " /s");
   line("membership flow", m.membership_flow, " /s");
   line("sd of A over time", means.exposed_sd());
   if (!seen.overlap) return text;
   const Overlap& o = *seen.overlap;
-  text += format("overlap of bodies, every %dth of these steps\n", kOverlapEvery);
+  text += io::formatted("overlap of bodies, every %dth of these steps\n", kOverlapEvery);
   line("nearest centres apart", o.nearest);
   line("closest ever", o.least);
   line("points inside another", o.inside);
@@ -61,10 +51,10 @@ std::string means_text(const Simulation& simulation, const Seen& seen) {
 }  // namespace
 
 std::string litter_words(const Params& params) {
-  return format("%d %s of %d points, T_a %s, seed %lld, %s precision, heading %s", params.pups,
-                params.pups == 1 ? "pup" : "pups", points_per_pup(params),
-                io::number_text(params.ta).c_str(), static_cast<long long>(params.seed),
-                value_of(params, "precision").c_str(), value_of(params, "heading").c_str());
+  return io::formatted("%d %s of %d points, T_a %s, seed %lld, %s precision, heading %s",
+                       params.pups, params.pups == 1 ? "pup" : "pups", points_per_pup(params),
+                       io::number_text(params.ta).c_str(), static_cast<long long>(params.seed),
+                       value_of(params, "precision").c_str(), value_of(params, "heading").c_str());
 }
 
 std::string run_summary(const std::string& title, const Simulation& simulation, const Seen& seen,
@@ -72,15 +62,15 @@ std::string run_summary(const std::string& title, const Simulation& simulation, 
   const long long done = simulation.steps_done();
   std::string text = title.empty() ? "" : title + "\n";
   text += litter_words(simulation.params()) + "\n";
-  text += format("%lld %s, %.6g s of model time, in %.3g s", done, done == 1 ? "step" : "steps",
-                 simulation.time(), seconds);
+  text += io::formatted("%lld %s, %.6g s of model time, in %.3g s", done,
+                        done == 1 ? "step" : "steps", simulation.time(), seconds);
   if (done > 0 && seconds > 0)
-    text += format(": %.4g steps/s", static_cast<double>(done) / seconds);
+    text += io::formatted(": %.4g steps/s", static_cast<double>(done) / seconds);
   text += "\n" + means_text(simulation, seen);
   text += "status  " + (simulation.status().ok() ? "fine" : simulation.status().message()) + "\n";
   for (const Warning& warning : simulation.warnings())
     text += "warning " + warning.message() + "\n";
-  text += format("hash    %016" PRIx64 "\n", simulation.hash());
+  text += io::formatted("hash    %016" PRIx64 "\n", simulation.hash());
   return text;
 }
 

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <charconv>
+#include <cstdarg>
+#include <cstdio>
 
 namespace pupflow::io {
 
@@ -16,6 +18,15 @@ std::string number_text(double value) {
   std::array<char, 32> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   return {buffer.data(), end};
+}
+
+std::string formatted(const char* pattern, ...) {
+  char text[256];
+  std::va_list values;
+  va_start(values, pattern);
+  std::vsnprintf(text, sizeof text, pattern, values);
+  va_end(values);
+  return text;
 }
 
 }  // namespace pupflow::io

@@ -13,4 +13,7 @@ std::string quoted(std::string_view text);
 /// finite.
 std::string number_text(double value);
 
+/// What printf would print; at most 255 bytes.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* pattern, ...);
+
 }  // namespace pupflow::io

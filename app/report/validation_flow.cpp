@@ -80,11 +80,7 @@ void flow_section(Report& report) {
   for (std::size_t i = 0; i < settings.size(); ++i) {
     csv.cell(settings[i].ta);
     rows.push_back({rounded(settings[i].ta)});
-    for (const MeanAndError& number : means[i]) {
-      csv.cell(number.mean).cell(number.error);
-      rows.back().push_back(text_of(number));
-    }
-    csv.end_row();
+    end_row(means[i], csv, rows);
   }
   csv.commit();
   report.table(rows);

@@ -90,11 +90,7 @@ void heat_section(Report& report) {
     const Params& p = settings[i];
     csv.cell(p.ta).cell(p.steps);
     rows.push_back({rounded(p.ta), std::to_string(p.discard + 1) + "–" + std::to_string(p.steps)});
-    for (const MeanAndError& number : means[i]) {
-      csv.cell(number.mean).cell(number.error);
-      rows.back().push_back(text_of(number));
-    }
-    csv.end_row();
+    end_row(means[i], csv, rows);
   }
   csv.commit();
   report.table(rows);

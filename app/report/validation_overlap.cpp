@@ -55,11 +55,7 @@ void overlap_section(Report& report) {
     const std::string reading = kReadings[static_cast<std::size_t>(settings[i].contact)].name;
     csv.cell(std::string_view(reading)).cell(settings[i].ta);
     rows.push_back({reading, rounded(settings[i].ta)});
-    for (const MeanAndError& number : means[i]) {
-      csv.cell(number.mean).cell(number.error);
-      rows.back().push_back(text_of(number));
-    }
-    csv.end_row();
+    end_row(means[i], csv, rows);
   }
   csv.commit();
   report.table(rows);

@@ -20,6 +20,15 @@ std::string text_of(const MeanAndError& number) {
   return text;
 }
 
+void end_row(const std::vector<MeanAndError>& numbers, io::CsvFile& csv,
+             std::vector<io::Row>& rows) {
+  for (const MeanAndError& number : numbers) {
+    csv.cell(number.mean).cell(number.error);
+    rows.back().push_back(text_of(number));
+  }
+  csv.end_row();
+}
+
 void step_on(Simulation& simulation) {
   stop_if_interrupted();
   const Status status = simulation.step();

@@ -14,6 +14,11 @@ namespace pupflow::report {
 /// "0.581 ± 0.015": the error in two significant digits, the mean to the same place.
 std::string text_of(const MeanAndError& number);
 
+/// Ends a row of a CSV file, and the last one of a table, with these numbers: mean and error in two
+/// cells there, as text in one here.
+void end_row(const std::vector<MeanAndError>& numbers, io::CsvFile& csv,
+             std::vector<io::Row>& rows);
+
 /// One step. Throws io::Failure: interrupted when Ctrl-C came, bad_numbers when the status is bad.
 void step_on(Simulation& simulation);
 

@@ -98,11 +98,7 @@ void units_section(Report& report) {
     const double scale = scales[i % scales.size()];
     csv.cell(settings[i].ta).cell(scale);
     rows.push_back({rounded(settings[i].ta), rounded(scale)});
-    for (const MeanAndError& number : means[i]) {
-      csv.cell(number.mean).cell(number.error);
-      rows.back().push_back(text_of(number));
-    }
-    csv.end_row();
+    end_row(means[i], csv, rows);
   }
   csv.commit();
   report.table(rows);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
+
+#include "app/io/text.h"
 
 namespace pupflow::study {
 namespace {
@@ -37,20 +37,12 @@ std::optional<Range> held_between(double a, double b, double at_a, double at_b) 
   return Range{from == 0 ? a : a + from * (b - a), to == 1 ? b : a + to * (b - a)};
 }
 
-[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
-  char text[256];
-  std::va_list values;
-  va_start(values, pattern);
-  std::vsnprintf(text, sizeof text, pattern, values);
-  va_end(values);
-  return text;
-}
-
 std::string held_text(const std::vector<Range>& held) {
-  if (held.empty()) return format("mean T_b is within %g of T_p at no T_a of this sweep\n", kHeld);
-  std::string text = format("mean T_b is within %g of T_p over T_a ", kHeld);
+  if (held.empty())
+    return io::formatted("mean T_b is within %g of T_p at no T_a of this sweep\n", kHeld);
+  std::string text = io::formatted("mean T_b is within %g of T_p over T_a ", kHeld);
   for (std::size_t i = 0; i < held.size(); ++i)
-    text += (i == 0 ? "" : ", ") + format("%.3f to %.3f", held[i].from, held[i].to);
+    text += (i == 0 ? "" : ", ") + io::formatted("%.3f to %.3f", held[i].from, held[i].to);
   return text + "\n";
 }
 
@@ -105,15 +97,16 @@ std::optional<Transition> find_transition(const Design& design,
 }
 
 std::string transition_text(const Design& design, const Transition& t) {
-  std::string text = t.steepest ? format("1 - A falls most steeply between T_a %.3f and %.3f",
+  std::string text = t.steepest
+                         ? io::formatted("1 - A falls most steeply between T_a %.3f and %.3f",
                                          t.steepest->from, t.steepest->to)
-                                : "1 - A falls nowhere";
+                         : "1 - A falls nowhere";
   if (design.base.k1 > 0)
-    text += format("; T_p - G/k1 = %.3f", design.base.tp - design.base.g / design.base.k1);
-  text += format("\nthe standard deviation of A is highest, %.3g, at T_a %.3f\n",
-                 t.exposed_sd.value, t.exposed_sd.ta);
-  text += format("pup flow (lag %lld) is highest, %.3g /s, at T_a %.3f\n",
-                 static_cast<long long>(design.base.flow_lag), t.flow.value, t.flow.ta);
+    text += io::formatted("; T_p - G/k1 = %.3f", design.base.tp - design.base.g / design.base.k1);
+  text += io::formatted("\nthe standard deviation of A is highest, %.3g, at T_a %.3f\n",
+                        t.exposed_sd.value, t.exposed_sd.ta);
+  text += io::formatted("pup flow (lag %lld) is highest, %.3g /s, at T_a %.3f\n",
+                        static_cast<long long>(design.base.flow_lag), t.flow.value, t.flow.ta);
   return text + held_text(t.held);
 }
 

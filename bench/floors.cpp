@@ -5,6 +5,7 @@
 #include "bench/measure.h"
 #include "engine/lanes.h"
 #include "engine/rotation.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow::bench {
 namespace {

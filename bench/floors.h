@@ -7,7 +7,7 @@
 #include "bench/tight.h"
 #include "engine/aligned.h"
 #include "engine/cloud.h"
-#include "engine/snapshot.h"
+#include "pupflow/snapshot.h"
 
 namespace pupflow::bench {
 

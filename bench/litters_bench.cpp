@@ -3,8 +3,8 @@
 
 #include "bench/benchmarks.h"
 #include "bench/scenes.h"
-#include "engine/ensemble.h"
-#include "engine/metrics.h"
+#include "pupflow/ensemble.h"
+#include "pupflow/observer.h"
 
 namespace pupflow::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 

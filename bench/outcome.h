@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/snapshot.h"
+#include "pupflow/snapshot.h"
 
 namespace pupflow::bench {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bench/scalar_model.h"
-#include "engine/cloud.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow::bench {
 namespace {
@@ -178,7 +178,8 @@ void PaperManner::steer(Pup& pup) const {
   for (arma::uword i = 0; i < rest_.n_cols; ++i) {
     const arma::vec offset = pup.position.col(i) - centre;
     const bool left = cosine * offset(1) - sine * offset(0) > 0;
-    sum[left ? 0 : 1] += pup.touched[i] >= 0 ? pups_[pup.touched[i]].tb : params_.ta;
+    sum[left ? 0 : 1] +=
+        pup.touched[i] >= 0 ? pups_[pup.touched[i]].tb : params_.ambient_temperature;
     count[left ? 0 : 1] += 1;
   }
   if (count[0] == 0 || count[1] == 0) return;
@@ -217,13 +218,14 @@ void PaperManner::move(Pup& pup) const {
   arma::svd(u, sigma, v, a_linear);
   if (arma::det(u * v.t()) < 0) u.col(2) = -u.col(2);
   const arma::mat rotation = u * v.t();
-  arma::mat t = params_.beta * (a * rest_aqq_) +
-                (1 - params_.beta) * arma::join_rows(rotation, arma::mat(3, 6, arma::fill::zeros));
+  arma::mat t =
+      params_.deformation * (a * rest_aqq_) +
+      (1 - params_.deformation) * arma::join_rows(rotation, arma::mat(3, 6, arma::fill::zeros));
   const double factor = std::pow(std::abs(arma::det(t.cols(0, 2))), -1.0 / 3.0);
   t.cols(0, 2) *= std::min(factor, 3.0);
   for (arma::uword i = 0; i < n; ++i) {
     const arma::vec goal = t * rest_q_.col(i) + centre;
-    const arma::vec next = predicted.col(i) + (goal - predicted.col(i)) * params_.alpha;
+    const arma::vec next = predicted.col(i) + (goal - predicted.col(i)) * params_.rigidity;
     pup.velocity.col(i) = (next - pup.position.col(i)) / params_.dt;
     pup.position.col(i) = next;
   }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bench/scalar_model.h"
-#include "engine/cloud.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow::bench {
 namespace {
@@ -191,7 +191,7 @@ void PlainEigen<Real>::steer(Pup& pup) const {
   int on_left = 0, on_right = 0;
   for (const Point& point : pup.points) {
     const Vector offset = point.position - centre;
-    const double felt = point.touched >= 0 ? pups_[point.touched].tb : params_.ta;
+    const double felt = point.touched >= 0 ? pups_[point.touched].tb : params_.ambient_temperature;
     if (cosine * offset.y() - sine * offset.x() > 0) {
       left += felt;
       ++on_left;
@@ -244,7 +244,7 @@ Eigen::Matrix<Real, 3, 9> PlainEigen<Real>::goal_map(const Pup& pup, const Vecto
                                                         Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix<Real, 3, 3> u = svd.matrixU();
   if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) = -u.col(2);
-  const Real beta = static_cast<Real>(params_.beta);
+  const Real beta = static_cast<Real>(params_.deformation);
   Eigen::Matrix<Real, 3, 9> t = beta * (a * rest_inverse_);
   t.template leftCols<3>() += (1 - beta) * (u * svd.matrixV().transpose());
   const Real volume = std::abs(t.template leftCols<3>().determinant());
@@ -258,8 +258,8 @@ void PlainEigen<Real>::match_shape(Pup& pup) const {
   for (const Point& point : pup.points) centre += point.position;
   centre /= static_cast<Real>(pup.points.size());
   const Eigen::Matrix<Real, 3, 9> t = goal_map(pup, centre);
-  const Real alpha = static_cast<Real>(params_.alpha),
-             rate = static_cast<Real>(params_.alpha / params_.dt);
+  const Real alpha = static_cast<Real>(params_.rigidity),
+             rate = static_cast<Real>(params_.rigidity / params_.dt);
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     Point& point = pup.points[i];
     const Vector missing = t * rest_[i] + centre - point.position;

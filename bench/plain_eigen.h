@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/outcome.h"
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::bench {
 

@@ -1,10 +1,10 @@
 #version 330 core
 // One colour.
 
-uniform vec3 colour;
+uniform vec3 color;
 
 out vec4 fragment;
 
 void main() {
-  fragment = vec4(colour, 1.0);
+  fragment = vec4(color, 1.0);
 }

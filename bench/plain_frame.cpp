@@ -24,8 +24,8 @@ PlainFrame::PlainFrame()
   constexpr GLsizei kStride = sizeof(view::Sphere);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, nullptr);
   // OpenGL wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
-  const auto* colours = reinterpret_cast<const void*>(offsetof(view::Sphere, r));
-  glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, colours);
+  const auto* colors = reinterpret_cast<const void*>(offsetof(view::Sphere, r));
+  glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, colors);
   for (const GLuint attribute : {0u, 1u}) {
     glEnableVertexAttribArray(attribute);
     glVertexAttribDivisor(attribute, 1);
@@ -34,7 +34,7 @@ PlainFrame::PlainFrame()
 
 void PlainFrame::draw_floor(const view::CameraMatrices& matrices, float radius) {
   use(floor_, matrices);
-  glUniform3f(floor_.uniform("colour"), 0.89f, 0.89f, 0.9f);
+  glUniform3f(floor_.uniform("color"), 0.89f, 0.89f, 0.9f);
   glUniform1f(floor_.uniform("outer_radius"), radius);
   glUniform1i(floor_.uniform("segments"), kSegments);
   glBindVertexArray(nothing_.name());

@@ -2,7 +2,7 @@
 // baselines use them. The C library's functions, not the engine's.
 #pragma once
 
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::bench {
 

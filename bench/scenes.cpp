@@ -8,14 +8,14 @@ namespace pupflow::bench {
 
 Params huddling(Precision precision) {
   Params params;
-  params.ta = 0.2;
+  params.ambient_temperature = 0.2;
   params.precision = precision;
   return params;
 }
 
 Params dispersed(Precision precision) {
   Params params = huddling(precision);
-  params.ta = 0.8;
+  params.ambient_temperature = 0.8;
   return params;
 }
 

@@ -1,7 +1,7 @@
 // The litters that are measured.
 #pragma once
 
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 

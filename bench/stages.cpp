@@ -40,7 +40,7 @@ Litters<Real> make_litters() {
   const Precision precision = single ? Precision::float_ : Precision::double_;
   const std::string name = single ? "float" : "double";
   Params stiff = huddling(precision);
-  stiff.beta = 0;
+  stiff.deformation = 0;
   Simulation huddle = settled(huddling(precision));
   Litters<Real> litters{name,
                         {name + ", huddling", huddle, {}},

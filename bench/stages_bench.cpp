@@ -51,7 +51,7 @@ void add(const std::string& scene, const Params& params) {
 void register_stages() {
   for (const Precision precision : {Precision::float_, Precision::double_}) {
     Params rigid = huddling(precision);
-    rigid.beta = 0;
+    rigid.deformation = 0;
     add("huddling", huddling(precision));
     add("dispersed", dispersed(precision));
     add("rigid", rigid);

@@ -38,7 +38,7 @@ void add(const Way& way) {
 void add_scenes(Precision precision, const std::string& in) {
   for (const double ta : {0.0, 0.4, 0.6, 0.8, 1.0}) {
     Params params = huddling(precision);
-    params.ta = ta;
+    params.ambient_temperature = ta;
     add({"ta=" + std::to_string(ta).substr(0, 3) + "/" + in, params});
   }
   for (const int k : {2, 4, 10, 16, 32}) {

@@ -5,8 +5,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pupflow)
 
 install(TARGETS pupflow_engine EXPORT pupflow
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT engine)
-install(DIRECTORY engine DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pupflow COMPONENT engine
-  FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY engine/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT engine)
 install(EXPORT pupflow NAMESPACE pupflow:: FILE pupflowTargets.cmake
   DESTINATION ${package_folder} COMPONENT engine)
 

@@ -5,8 +5,8 @@
 // p + h v. r is the point radius, R the arena's, h the time step. Wilson 2017, Methods.
 #pragma once
 
-#include "engine/params.h"
 #include "engine/state.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow {
 

@@ -19,10 +19,10 @@
 #include <vector>
 
 #include "engine/broad_phase.h"
-#include "engine/params.h"
 #include "engine/state.h"
-#include "engine/status.h"
 #include "engine/team.h"
+#include "pupflow/parameters.h"
+#include "pupflow/status.h"
 
 namespace pupflow {
 

@@ -1,4 +1,4 @@
-#include "engine/ensemble.h"
+#include "pupflow/ensemble.h"
 
 #include <algorithm>
 #include <atomic>
@@ -6,6 +6,8 @@
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include "engine/rng.h"
 
 namespace pupflow {
 
@@ -61,6 +63,14 @@ void run_ensemble(std::int64_t count, int threads,
   work();
   helpers.clear();  // joins
   if (failure) std::rethrow_exception(failure);
+}
+
+std::int64_t run_seed(std::int64_t base_seed, std::int64_t run) {
+  // An odd factor is a bijection modulo 2^31, so no two runs of a sweep share a seed. Such a seed
+  // is short to type and fits what other programs take for one.
+  constexpr std::uint64_t kSeedMask = (std::uint64_t{1} << 31) - 1, kOdd = 0x9e3779b97f4a7c15u;
+  const std::uint64_t start = mix_bits(static_cast<std::uint64_t>(base_seed));
+  return static_cast<std::int64_t>((start + static_cast<std::uint64_t>(run) * kOdd) & kSeedMask);
 }
 
 }  // namespace pupflow

@@ -1,9 +1,9 @@
 // Finding out where numbers went wrong, once something looks wrong.
 #pragma once
 
-#include "engine/params.h"
 #include "engine/state.h"
-#include "engine/status.h"
+#include "pupflow/parameters.h"
+#include "pupflow/status.h"
 
 namespace pupflow {
 

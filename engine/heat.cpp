@@ -38,8 +38,8 @@ double mean_after_step(const Params& params, double tb, double to_air, double to
   const double kept = exact ? exp_fixed(-decay) : 1 - decay;
   // The time over which G adds up.
   const double duration = exact && decay > 0 ? gone / conductance : params.dt;
-  double sum = duration * (kSumUnit * params.g) + kept * (kSumUnit * tb);
-  if (to_air > 0) sum += to_air / conductance * gone * (kSumUnit * params.ta);
+  double sum = duration * (kSumUnit * params.thermogenesis) + kept * (kSumUnit * tb);
+  if (to_air > 0) sum += to_air / conductance * gone * (kSumUnit * params.ambient_temperature);
   if (to_others > 0) sum += to_others / conductance * gone * (kSumUnit * contact_mean);
   return sum / kSumUnit;
 }
@@ -48,22 +48,23 @@ double mean_after_step(const Params& params, double tb, double to_air, double to
 /// more than the step before, and has got out of all proportion by it.
 bool euler_diverged(const Params& params, double exposed, double change) {
   constexpr double kProportion = 100;
-  const double k = params.k1 * exposed + params.k2 * (1 - exposed);
+  const double k = params.air_conductance * exposed + params.contact_conductance * (1 - exposed);
   if (params.heat != HeatRule::euler || !(k * params.dt > 2)) return false;
-  const double scale = std::max({1.0, std::abs(params.ta), std::abs(params.g) / k});
+  const double scale =
+      std::max({1.0, std::abs(params.ambient_temperature), std::abs(params.thermogenesis) / k});
   return std::abs(change) > kProportion * scale;
 }
 
 }  // namespace
 
 double heat_step(const Params& params, double tb, double exposed, double contact_mean) {
-  const double to_air = params.k1 * exposed;
-  const double to_others = exposed < 1 ? params.k2 * (1 - exposed) : 0;
+  const double to_air = params.air_conductance * exposed;
+  const double to_others = exposed < 1 ? params.contact_conductance * (1 - exposed) : 0;
   // Differences first: terms of huge opposite temperatures then do not cancel. What conducts
   // nothing exchanges nothing, even where a difference overflows.
-  const double loss_to_air = to_air > 0 ? to_air * (tb - params.ta) : 0;
+  const double loss_to_air = to_air > 0 ? to_air * (tb - params.ambient_temperature) : 0;
   const double loss_to_others = to_others > 0 ? to_others * (tb - contact_mean) : 0;
-  const double rate = params.g - loss_to_air - loss_to_others;
+  const double rate = params.thermogenesis - loss_to_air - loss_to_others;
   const bool exact = params.heat == HeatRule::exact;
   const double decay = (to_air + to_others) * params.dt;
   const double weight = exact && decay > 0 ? -expm1_fixed(-decay) / decay : 1;

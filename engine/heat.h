@@ -6,9 +6,9 @@
 // linear and solved exactly.
 #pragma once
 
-#include "engine/params.h"
 #include "engine/state.h"
-#include "engine/status.h"
+#include "pupflow/parameters.h"
+#include "pupflow/status.h"
 
 namespace pupflow {
 

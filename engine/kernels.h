@@ -4,18 +4,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <string_view>
+
+#include "pupflow/instruction_set.h"
 
 namespace pupflow {
-
-enum class InstructionSet { baseline, avx2, avx512 };
-
-/// "baseline" (SSE2 on x86-64, NEON on arm64), "avx2" or "avx512".
-std::string_view instruction_set_name(InstructionSet set);
-
-/// What this processor and this build can use, best last. Never empty.
-std::span<const InstructionSet> supported_instruction_sets();
 
 /// Where to look for points: inside a ball and a box.
 template <class Real>

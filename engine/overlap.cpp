@@ -1,13 +1,16 @@
-#include "engine/overlap.h"
+#include "pupflow/overlap.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <vector>
 
-#include "engine/cloud.h"
+#include "engine/broad_phase.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow {
 namespace {
@@ -47,11 +50,46 @@ double volume(const double* a, const double* b, const double* c, const double* p
 
 }  // namespace
 
-const double* OverlapMeter::points_of(int pup) const {
+/// What a meter keeps from one litter to the next.
+class OverlapMeter::Memory {
+ public:
+  Overlap measure(const Simulation& simulation);
+
+ private:
+  /// A body's triangles, by the slabs of y that they cross.
+  struct Slabs {
+    double low = 0, per_length = 0;
+    std::vector<int> begin;     // of each slab in `triangle`, and the end of the last
+    std::vector<int> triangle;  // numbers in triangles_
+    std::vector<int> next;      // while filling: the place for a slab's next triangle
+  };
+  struct Directed {
+    int body, pup;  // points of `pup` may be inside `body`
+  };
+
+  const double* points_of(int pup) const;
+  void fill_slabs(int body);
+  int slab_at(double y) const;
+  // Both need `fill_slabs(body)` before.
+  int winding_number(int body, const double* point) const;
+  void find_inside(int pup, int body);
+
+  int face_points_ = 0, points_ = 0;
+  std::vector<std::array<int, 3>> triangles_;
+  std::vector<double> xyz_;
+  std::vector<Eigen::Vector3d> centres_;
+  std::vector<Bounds<double>> bounds_;
+  std::vector<Directed> directed_;
+  std::vector<std::uint8_t> inside_;  // per point of the litter
+  BroadPhase<double> broad_phase_;
+  Slabs slabs_;
+};
+
+const double* OverlapMeter::Memory::points_of(int pup) const {
   return xyz_.data() + 3 * static_cast<std::size_t>(pup) * points_;
 }
 
-void OverlapMeter::fill_slabs(int body) {
+void OverlapMeter::Memory::fill_slabs(int body) {
   const double* xyz = points_of(body);
   const int count = 2 * face_points_;
   slabs_.low = bounds_[body].low[1];
@@ -73,12 +111,12 @@ void OverlapMeter::fill_slabs(int body) {
   visit([&](int s, int t) { slabs_.triangle[slabs_.next[s]++] = t; });
 }
 
-int OverlapMeter::slab_at(double y) const {
+int OverlapMeter::Memory::slab_at(double y) const {
   const double slab = (y - slabs_.low) * slabs_.per_length;
   return std::clamp(static_cast<int>(slab), 0, 2 * face_points_ - 1);
 }
 
-int OverlapMeter::winding_number(int body, const double* p) const {
+int OverlapMeter::Memory::winding_number(int body, const double* p) const {
   const double* xyz = points_of(body);
   const int slab = slab_at(p[1]);
   int number = 0;
@@ -92,7 +130,7 @@ int OverlapMeter::winding_number(int body, const double* p) const {
   return number;
 }
 
-void OverlapMeter::find_inside(int pup, int body) {
+void OverlapMeter::Memory::find_inside(int pup, int body) {
   const Bounds<double>& box = bounds_[body];
   const double* p = points_of(pup);
   for (int i = 0; i < points_; ++i, p += 3) {
@@ -105,7 +143,7 @@ void OverlapMeter::find_inside(int pup, int body) {
   }
 }
 
-Overlap OverlapMeter::measure(const Simulation& simulation) {
+Overlap OverlapMeter::Memory::measure(const Simulation& simulation) {
   const int pups = simulation.pups();
   points_ = simulation.points();
   if (face_points_ != simulation.params().face_points) {
@@ -156,6 +194,15 @@ Overlap OverlapMeter::measure(const Simulation& simulation) {
   overlap.inside = static_cast<double>(inside) / static_cast<double>(all);
   overlap.inside_exposed = static_cast<double>(exposed) / static_cast<double>(inside);
   return overlap;
+}
+
+OverlapMeter::OverlapMeter() : memory_(std::make_unique<Memory>()) {}
+OverlapMeter::OverlapMeter(OverlapMeter&&) noexcept = default;
+OverlapMeter& OverlapMeter::operator=(OverlapMeter&&) noexcept = default;
+OverlapMeter::~OverlapMeter() = default;
+
+Overlap OverlapMeter::measure(const Simulation& simulation) {
+  return memory_->measure(simulation);
 }
 
 Overlap measure_overlap(const Simulation& simulation) {

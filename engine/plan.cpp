@@ -1,4 +1,4 @@
-#include "engine/plan.h"
+#include "pupflow/plan.h"
 
 namespace pupflow {
 namespace {
@@ -37,8 +37,8 @@ Verdict decide_contact(const Params& p) {
 
 Verdict decide_turn(const Params& p) {
   if (p.pups < 2) return {false, "one pup touches nobody: both its sides feel T_a"};
-  if (p.sigma == 0) return {false, "sigma = 0: both sensors read the same, so nobody turns"};
-  if (p.v == 0) return {false, "v = 0: nobody turns"};
+  if (p.sensitivity == 0) return {false, "sigma = 0: both sensors read the same, so nobody turns"};
+  if (p.steering_gain == 0) return {false, "v = 0: nobody turns"};
   return {true, "contacts turn the pups"};
 }
 
@@ -51,14 +51,14 @@ Verdict decide_steering(const Params& p) {
 
 Verdict decide_heat(const Params& p) {
   if (p.pups == 0) return {false, "there is no pup"};
-  if (p.k1 == 0 && p.k2 == 0 && p.g == 0)
+  if (p.air_conductance == 0 && p.contact_conductance == 0 && p.thermogenesis == 0)
     return {false, "k1 = k2 = g = 0: body temperatures never change"};
   return {true, "body temperatures change"};
 }
 
 Verdict decide_mean_temperature(const Params& p) {
   if (p.pups < 2) return {false, "fewer than two pups: nobody to touch"};
-  if (p.k2 == 0) return {false, "k2 = 0: no heat flows between pups"};
+  if (p.contact_conductance == 0) return {false, "k2 = 0: no heat flows between pups"};
   return {true, "heat flows between pups that touch"};
 }
 
@@ -69,17 +69,17 @@ Verdict decide_predict(const Params& p) {
 
 Verdict decide_shape_match(const Params& p) {
   if (p.pups == 0) return {false, "there is no pup"};
-  if (p.alpha == 0) return {false, "alpha = 0: points are not drawn to any goal"};
+  if (p.rigidity == 0) return {false, "alpha = 0: points are not drawn to any goal"};
   return {true, "points are drawn to their goals"};
 }
 
 Verdict decide_rotation(const Params& p) {
-  if (p.beta == 1) return {false, "beta = 1: goals are the fit alone"};
+  if (p.deformation == 1) return {false, "beta = 1: goals are the fit alone"};
   return {true, "goals are in part the rest shape, turned"};
 }
 
 Verdict decide_quadratic(const Params& p) {
-  if (p.beta == 0) return {false, "beta = 0: goals only turn and move"};
+  if (p.deformation == 0) return {false, "beta = 0: goals only turn and move"};
   return {true, "goals bend with the body"};
 }
 
@@ -120,7 +120,8 @@ Verdict decide(Part part, const Params& p, bool observed) {
   const bool turn = decide_steering(p).needed && decide_turn(p).needed;
   switch (part) {
     case Part::exposure:
-      return decide_readers(heat && (p.k1 != 0 || p.k2 != 0), turn, observed);
+      return decide_readers(heat && (p.air_conductance != 0 || p.contact_conductance != 0), turn,
+                            observed);
     case Part::owners:
       return decide_readers(heat && decide_mean_temperature(p).needed, turn, observed);
     case Part::pairs:

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow {
 

@@ -74,12 +74,13 @@ Motion motion_of(const ModeMatrix& x, const ModeMatrix& v, int modes) {
 
 StepBody step_body(const Params& params) {
   if (params.refinement == Refinement::naive || params.dt == kReferenceStep) {
-    return {params.alpha, params.beta};
+    return {params.rigidity, params.deformation};
   }
   const double s = params.dt / kReferenceStep;
-  const ModeClass rest = mode_class(params.integrator, params.alpha, s);
-  const ModeClass fitted = mode_class(params.integrator, params.alpha * (1 - params.beta), s);
-  StepBody body{rest.rigidity, params.beta, fitted.keep, rest.keep, s};
+  const ModeClass rest = mode_class(params.integrator, params.rigidity, s);
+  const ModeClass fitted =
+      mode_class(params.integrator, params.rigidity * (1 - params.deformation), s);
+  StepBody body{rest.rigidity, params.deformation, fitted.keep, rest.keep, s};
   // The fitted modes see alpha (1 - beta) of what shape matching is told.
   if (rest.rigidity > 0) body.beta = 1 - fitted.rigidity / rest.rigidity;
   return body;

@@ -18,7 +18,7 @@
 #include <Eigen/Core>
 
 #include "engine/modes.h"
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow {
 

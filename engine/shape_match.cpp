@@ -126,7 +126,7 @@ BodyFit fit_body(const Params& params, const StepBody& body, bool quadratic,
 }
 
 template <class Real>
-void draw_to_goals(const Params& params, const StepBody& body, bool quadratic,
+void pull_to_goals(const Params& params, const StepBody& body, bool quadratic,
                    const Cloud<Real>& cloud, const BodyFit& fit, const ModeMatrix& goal,
                    State<Real>& state, int pup) {
   const bool moves = params.integrator == Integrator::predictive;
@@ -161,7 +161,7 @@ RotationKind match_shape(const Params& params, const StepBody& body, MatchParts 
                                 ? nearest_rotation(linear_part(fit.shape))
                                 : Rotation{Eigen::Matrix3d::Zero(), RotationKind::regular};
   const ModeMatrix goal = goal_modes(fit.shape, rotation.matrix, cloud.linear_scale, body.beta);
-  draw_to_goals(params, body, parts.quadratic, cloud, fit, goal, state, pup);
+  pull_to_goals(params, body, parts.quadratic, cloud, fit, goal, state, pup);
   return rotation.kind;
 }
 
@@ -171,7 +171,7 @@ RotationKind match_shape(const Params& params, const StepBody& body, MatchParts 
   template void predict<Real>(const Params&, State<Real>&, int);                                   \
   template BodyFit fit_body<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,        \
                                   const State<Real>&, int);                                        \
-  template void draw_to_goals<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,      \
+  template void pull_to_goals<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,      \
                                     const BodyFit&, const ModeMatrix&, State<Real>&, int);         \
   template RotationKind match_shape<Real>(const Params&, const StepBody&, MatchParts,              \
                                           const Cloud<Real>&, State<Real>&, int);

@@ -27,10 +27,10 @@
 #include <array>
 
 #include "engine/cloud.h"
-#include "engine/params.h"
 #include "engine/refinement.h"
 #include "engine/rotation.h"
 #include "engine/state.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow {
 
@@ -66,7 +66,7 @@ BodyFit fit_body(const Params& params, const StepBody& body, bool quadratic,
 /// Draws one pup's points by the share body.alpha towards the goals that `goal` describes, and
 /// damps its velocity where body.damps().
 template <class Real>
-void draw_to_goals(const Params& params, const StepBody& body, bool quadratic,
+void pull_to_goals(const Params& params, const StepBody& body, bool quadratic,
                    const Cloud<Real>& cloud, const BodyFit& fit, const ModeMatrix& goal,
                    State<Real>& state, int pup);
 

@@ -1,4 +1,4 @@
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,9 @@
 #include "engine/elementary.h"
 #include "engine/health.h"
 #include "engine/start.h"
+#include "engine/step.h"
 #include "engine/watch.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow {
 

@@ -5,6 +5,7 @@
 
 #include "engine/elementary.h"
 #include "engine/rng.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow {
 namespace {
@@ -137,7 +138,7 @@ void lay_out(const Params& params, const std::vector<Vector3d>& rest, State<Real
       state.y[k] = static_cast<Real>(position.y());
       state.z[k] = static_cast<Real>(position.z());
     }
-    state.tb[pup] = params.tb0;
+    state.tb[pup] = params.initial_temperature;
     state.heading[pup] = wrap_angle(random.uniform(-kPi, kPi));
     update_bounds(state, pup);
   }

@@ -7,24 +7,9 @@
 #include "engine/aligned.h"
 #include "engine/kernels.h"
 #include "engine/point_set.h"
+#include "pupflow/snapshot.h"
 
 namespace pupflow {
-
-/// Two pups that touched in the last step, first < second.
-struct TouchingPair {
-  int first, second;
-  friend bool operator==(const TouchingPair&, const TouchingPair&) = default;
-};
-
-/// The step and the time at which dt last changed. Time is counted from there, in one product,
-/// since adding up dt step by step would gather rounding errors.
-struct Clock {
-  std::int64_t step = 0;
-  double time = 0;
-  double at(std::int64_t now, double dt) const {
-    return time + static_cast<double>(now - step) * dt;
-  }
-};
 
 /// What encloses a pup's points: a box, and a ball round the middle of the box.
 template <class Real>

@@ -1,6 +1,14 @@
-#include "engine/status.h"
+#include "pupflow/status.h"
+
+#include <algorithm>
 
 namespace pupflow {
+namespace {
+
+constexpr std::array<std::string_view, kWarningKinds> kWarningNames{
+    "under the floor", "hanging in the air", "outside the wall", "gaining energy"};
+
+}  // namespace
 
 std::string_view stage_name(Stage stage) {
   switch (stage) {
@@ -40,6 +48,31 @@ std::string Status::message() const {
   text += " at step " + std::to_string(step) + ", stage " + std::string(stage_name(stage)) +
           ", pup " + std::to_string(pup);
   if (point >= 0) text += ", point " + std::to_string(point);
+  return text;
+}
+
+std::string_view warning_name(Warning::Kind kind) {
+  return kWarningNames[static_cast<std::size_t>(kind)];
+}
+
+std::string Warning::message() const {
+  return std::string(warning_name(kind)) + " from step " + std::to_string(step) + " pup " +
+         std::to_string(pup);
+}
+
+bool Warnings::has(Warning::Kind kind) const {
+  const auto seen = all();
+  return std::any_of(seen.begin(), seen.end(),
+                     [kind](const Warning& warning) { return warning.kind == kind; });
+}
+
+void Warnings::add(const Warning& warning) {
+  if (!has(warning.kind)) list_[static_cast<std::size_t>(count_++)] = warning;
+}
+
+std::string warnings_text(std::span<const Warning> warnings) {
+  std::string text;
+  for (const Warning& warning : warnings) text += (text.empty() ? "" : "; ") + warning.message();
   return text;
 }
 

@@ -8,15 +8,15 @@
 #include "engine/heat.h"
 #include "engine/refinement.h"
 #include "engine/shape_match.h"
-#include "engine/taxis.h"
+#include "engine/steering.h"
 
 namespace pupflow {
 namespace {
 
 /// The planned stages in the order of the integrator.
-class Agenda {
+class Sequence {
  public:
-  Agenda(const Plan& plan, Integrator integrator) {
+  Sequence(const Plan& plan, Integrator integrator) {
     const bool predict_first = integrator == Integrator::predictive;
     for (const Stage stage : {Stage::boundary, Stage::contact, Stage::steering, Stage::heat,
                               predict_first ? Stage::predict : Stage::shape_match,
@@ -44,7 +44,7 @@ struct Step {
   const Cloud<Real>& cloud;
   State<Real>& state;
   Workspace<Real>& workspace;
-  const Agenda& agenda;
+  const Sequence& sequence;
   StepBody body;
 
   Status stage_of_pup(Stage stage, int pup, int worker, StepCounters& counters) const {
@@ -67,13 +67,13 @@ struct Step {
         counters.rotation_fallbacks += kind == RotationKind::regular ? 0 : 1;
         break;
     }
-    return stage == agenda.last_motion() ? check_motion(params, state, pup, stage) : Status{};
+    return stage == sequence.last_motion() ? check_motion(params, state, pup, stage) : Status{};
   }
 
-  /// Stages number `begin` ... `end` - 1 of the agenda: all of them for one pup, then for the next,
-  /// while its points are at hand.
+  /// Stages number `begin` ... `end` - 1 of the sequence: all of them for one pup, then for the
+  /// next, while its points are at hand.
   void run(std::size_t begin, std::size_t end, StepCounters& counters) const {
-    if (agenda.stages()[begin] == Stage::contact) {
+    if (sequence.stages()[begin] == Stage::contact) {
       const ContactRecords records{plan.has(Part::exposure), plan.has(Part::owners),
                                    plan.has(Part::pairs)};
       workspace.contacts.find(params, records, state, workspace.team);
@@ -85,7 +85,7 @@ struct Step {
       const PupRange share = share_of(state.pups, worker, workers);
       for (int pup = share.begin; pup < share.end; ++pup) {
         for (std::size_t place = begin; place < end; ++place) {
-          const Status status = stage_of_pup(agenda.stages()[place], pup, worker, found.counters);
+          const Status status = stage_of_pup(sequence.stages()[place], pup, worker, found.counters);
           if (!status.ok()) keep_earliest(found, status, static_cast<int>(place));
         }
       }
@@ -115,9 +115,9 @@ template <class Real>
 Status step_litter(const Params& params, const Plan& plan, const Cloud<Real>& cloud,
                    State<Real>& state, Workspace<Real>& workspace, StepCounters& counters,
                    StageListener* listener) {
-  const Agenda agenda(plan, params.integrator);
-  const std::span<const Stage> stages = agenda.stages();
-  const Step<Real> step{params, plan, cloud, state, workspace, agenda, step_body(params)};
+  const Sequence sequence(plan, params.integrator);
+  const std::span<const Stage> stages = sequence.stages();
+  const Step<Real> step{params, plan, cloud, state, workspace, sequence, step_body(params)};
   workspace.found.assign(workspace.team.size(), {});
   workspace.next_tb.resize(state.pups);
   // Contacts need all pups behind the boundary stage. What follows them looks at nothing of other

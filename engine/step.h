@@ -5,21 +5,14 @@
 
 #include "engine/cloud.h"
 #include "engine/contact.h"
-#include "engine/params.h"
-#include "engine/plan.h"
 #include "engine/state.h"
-#include "engine/status.h"
 #include "engine/team.h"
+#include "pupflow/parameters.h"
+#include "pupflow/plan.h"
+#include "pupflow/simulation.h"
+#include "pupflow/status.h"
 
 namespace pupflow {
-
-/// Told when a stage of a step begins and ends; the engine itself owns no clock.
-class StageListener {
- public:
-  virtual ~StageListener() = default;
-  virtual void stage_begins(Stage stage) = 0;
-  virtual void stage_ends(Stage stage) = 0;
-};
 
 /// Counts what a step had to do beyond the usual.
 struct StepCounters {

@@ -34,9 +34,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/params.h"
 #include "engine/state.h"
-#include "engine/warning.h"
+#include "pupflow/parameters.h"
+#include "pupflow/status.h"
 
 namespace pupflow {
 

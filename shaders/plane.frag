@@ -5,7 +5,7 @@ in vec2 place;
 
 uniform float inner_radius;  // negative: a full disc
 uniform float outer_radius;
-uniform vec3 colour;
+uniform vec3 color;
 
 out vec4 fragment;
 
@@ -15,5 +15,5 @@ void main() {
   float cover = clamp((outer_radius - r) / pixel + 0.5, 0.0, 1.0) *
                 clamp((r - inner_radius) / pixel + 0.5, 0.0, 1.0);
   if (cover <= 0.0) discard;
-  fragment = vec4(colour, cover);
+  fragment = vec4(color, cover);
 }

@@ -2,7 +2,7 @@
 // Where the line of sight meets the sphere: its shade, and its true depth.
 
 flat in vec3 sphere_centre;
-flat in vec3 sphere_colour;
+flat in vec3 sphere_color;
 in vec3 offset;
 
 uniform mat4 clip_from_eye;
@@ -30,5 +30,5 @@ void main() {
   vec2 clip = vec2(clip_from_eye[2][2] * hit.z + clip_from_eye[3][2],
                    clip_from_eye[2][3] * hit.z + clip_from_eye[3][3]);
   gl_FragDepth = 0.5 * clip.x / clip.y + 0.5;
-  fragment = vec4(sphere_colour * mix(edge_shade, 1.0, facing), 1.0);
+  fragment = vec4(sphere_color * mix(edge_shade, 1.0, facing), 1.0);
 }

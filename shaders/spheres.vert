@@ -2,7 +2,7 @@
 // A quad around each sphere, just wide enough to hold its outline.
 
 layout(location = 0) in vec3 centre;  // per sphere, world
-layout(location = 1) in vec4 colour;  // per sphere
+layout(location = 1) in vec4 color;  // per sphere
 
 uniform mat4 eye_from_world;
 uniform mat4 clip_from_eye;
@@ -10,14 +10,14 @@ uniform float radius;
 uniform bool perspective;
 
 flat out vec3 sphere_centre;  // eye space
-flat out vec3 sphere_colour;
+flat out vec3 sphere_color;
 out vec3 offset;  // from the centre, on the quad's plane
 
 void main() {
   vec3 c = (eye_from_world * vec4(centre, 1.0)).xyz;
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   sphere_centre = c;
-  sphere_colour = colour.rgb;
+  sphere_color = color.rgb;
   if (perspective) {
     // The quad faces the eye; there the cone of sight lines that touch the sphere is this wide.
     float distance2 = dot(c, c);

@@ -11,8 +11,8 @@
 #include "app/io/table.h"
 #include "app/report/savings.h"
 #include "app/report/stage_timer.h"
-#include "engine/metrics.h"
-#include "engine/plan.h"
+#include "pupflow/observer.h"
+#include "pupflow/plan.h"
 
 namespace pupflow::cli {
 namespace {

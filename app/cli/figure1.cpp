@@ -29,7 +29,7 @@ std::vector<double> panels(const std::string& text, const Params& params) {
   }
   for (const double value : ta) {
     Params panel = params;
-    panel.ta = value;
+    panel.ambient_temperature = value;
     if (const auto problems = check(panel); !problems.empty()) throw InvalidParams(problems);
   }
   return ta;

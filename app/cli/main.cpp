@@ -13,7 +13,7 @@
 #include "app/io/interrupt.h"
 #include "app/io/nearest.h"
 #include "app/io/text.h"
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/cli/verb.h"
 #include "app/io/table.h"
 #include "app/io/text.h"
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::cli {
 namespace {

@@ -15,8 +15,8 @@
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
 #include "app/io/recording.h"
-#include "engine/metrics.h"
-#include "engine/overlap.h"
+#include "pupflow/observer.h"
+#include "pupflow/overlap.h"
 
 namespace pupflow::cli {
 namespace {

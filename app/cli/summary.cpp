@@ -53,8 +53,9 @@ std::string means_text(const Simulation& simulation, const Seen& seen) {
 std::string litter_words(const Params& params) {
   return io::formatted("%d %s of %d points, T_a %s, seed %lld, %s precision, heading %s",
                        params.pups, params.pups == 1 ? "pup" : "pups", points_per_pup(params),
-                       io::number_text(params.ta).c_str(), static_cast<long long>(params.seed),
-                       value_of(params, "precision").c_str(), value_of(params, "heading").c_str());
+                       io::number_text(params.ambient_temperature).c_str(),
+                       static_cast<long long>(params.seed), value_of(params, "precision").c_str(),
+                       value_of(params, "heading").c_str());
 }
 
 std::string run_summary(const std::string& title, const Simulation& simulation, const Seen& seen,

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "engine/metrics.h"
-#include "engine/overlap.h"
-#include "engine/simulation.h"
+#include "pupflow/observer.h"
+#include "pupflow/overlap.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::cli {
 

@@ -11,9 +11,9 @@ namespace {
 constexpr float kEdgeShade = 0.45f;
 constexpr GLint kWallSegments = 256, kPlaneSegments = 32;
 
-void set_colour(const Program& program, view::Rgb colour) {
-  glUniform3f(program.uniform("colour"), static_cast<float>(colour.r) / 255,
-              static_cast<float>(colour.g) / 255, static_cast<float>(colour.b) / 255);
+void set_color(const Program& program, view::Rgb color) {
+  glUniform3f(program.uniform("color"), static_cast<float>(color.r) / 255,
+              static_cast<float>(color.g) / 255, static_cast<float>(color.b) / 255);
 }
 
 void set_camera(const Program& program, const view::CameraMatrices& matrices) {
@@ -36,8 +36,8 @@ Renderer::Renderer(const std::string& shader_dir)
   constexpr GLsizei kStride = sizeof(view::Sphere);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, nullptr);
   // OpenGL wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
-  const auto* colours = reinterpret_cast<const void*>(offsetof(view::Sphere, r));
-  glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, colours);
+  const auto* colors = reinterpret_cast<const void*>(offsetof(view::Sphere, r));
+  glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, colors);
   for (const GLuint attribute : {0u, 1u}) {
     glEnableVertexAttribArray(attribute);
     glVertexAttribDivisor(attribute, 1);
@@ -120,9 +120,9 @@ void Renderer::draw_scene(const view::Camera& camera, const Viewport& viewport,
 }
 
 void Renderer::draw_plane(const view::CameraMatrices& matrices, float height, float inner_radius,
-                          float outer_radius, view::Rgb colour) {
+                          float outer_radius, view::Rgb color) {
   set_camera(plane_program_, matrices);
-  set_colour(plane_program_, colour);
+  set_color(plane_program_, color);
   glUniform1f(plane_program_.uniform("height"), height);
   glUniform1f(plane_program_.uniform("inner_radius"), inner_radius);
   glUniform1f(plane_program_.uniform("outer_radius"), outer_radius);
@@ -134,9 +134,9 @@ void Renderer::draw_plane(const view::CameraMatrices& matrices, float height, fl
 }
 
 void Renderer::draw_wall(const view::CameraMatrices& matrices, float radius, float bottom,
-                         float top, view::Rgb colour) {
+                         float top, view::Rgb color) {
   set_camera(wall_program_, matrices);
-  set_colour(wall_program_, colour);
+  set_color(wall_program_, color);
   glUniform1f(wall_program_.uniform("radius"), radius);
   glUniform1f(wall_program_.uniform("bottom"), bottom);
   glUniform1f(wall_program_.uniform("top"), top);

@@ -49,9 +49,9 @@ class Renderer {
  private:
   void draw_scene(const view::Camera& camera, const Viewport& viewport, const Palette& palette);
   void draw_plane(const view::CameraMatrices& matrices, float height, float inner_radius,
-                  float outer_radius, view::Rgb colour);
+                  float outer_radius, view::Rgb color);
   void draw_wall(const view::CameraMatrices& matrices, float radius, float bottom, float top,
-                 view::Rgb colour);
+                 view::Rgb color);
   void draw_spheres(const view::CameraMatrices& matrices);
 
   Program spheres_program_, plane_program_, wall_program_, resolve_program_;

@@ -15,7 +15,7 @@ class Target {
   int width() const { return width_; }
   int height() const { return height_; }
   GLuint framebuffer() const { return framebuffer_.name(); }
-  GLuint texture() const { return colour_.name(); }
+  GLuint texture() const { return color_.name(); }
 
   /// Binds it for drawing.
   void bind() const;
@@ -29,7 +29,7 @@ class Target {
 
  private:
   Framebuffer framebuffer_;
-  Texture colour_;
+  Texture color_;
   Renderbuffer depth_;
   int width_ = 0, height_ = 0;
 };

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/io/png.h"
-#include "engine/snapshot.h"
+#include "pupflow/snapshot.h"
 
 namespace pupflow::io {
 

@@ -9,9 +9,9 @@
 
 #include "app/io/atomic_file.h"
 #include "app/io/png.h"
-#include "engine/metrics.h"
-#include "engine/params.h"
-#include "engine/simulation.h"
+#include "pupflow/observer.h"
+#include "pupflow/parameters.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::io {
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "engine/kernels.h"
+#include "pupflow/instruction_set.h"
 
 namespace pupflow::io {
 namespace {

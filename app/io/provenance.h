@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/io/png.h"
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::io {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "engine/params.h"
-#include "engine/simulation.h"
+#include "pupflow/parameters.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::io {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::io {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <type_traits>
 
-#include "engine/ensemble.h"
+#include "pupflow/ensemble.h"
 
 namespace pupflow::mpi {
 

@@ -29,7 +29,7 @@ std::vector<Simulation> litters(const Figure1Job& job) {
   std::vector<Simulation> list;
   for (const double ta : job.ta) {
     Params params = job.params;
-    params.ta = ta;
+    params.ambient_temperature = ta;
     list.push_back(unobserved_litter(params));
   }
   return list;
@@ -80,7 +80,8 @@ class Runs {
       const Status status = litter.run(count);
       if (!status.ok()) {
         throw io::Failure(io::ExitCode::bad_numbers,
-                          "ta = " + io::number_text(litter.params().ta) + ": " + status.message());
+                          "ta = " + io::number_text(litter.params().ambient_temperature) + ": " +
+                              status.message());
       }
       const std::lock_guard lock(mutex_);
       done_ += count;
@@ -143,11 +144,12 @@ io::Image compose(const Figure1Job& job, const std::vector<Simulation>& litters,
     const view::Camera camera = framed_camera("top", litters[i].params(), 1);
     view::blit(figure, studio.shoot(litters[i], camera, box.width, box.height), box.x, box.y);
     text.draw(figure, box.x + box.width / 2.0, box.y - 0.45 * layout.text,
-              view::symbol("T", "a") + (" = " + view::tick_label(litters[i].params().ta)),
+              view::symbol("T", "a") +
+                  (" = " + view::tick_label(litters[i].params().ambient_temperature)),
               layout.text, kInk, view::Align::centre);
   }
-  view::draw_color_bar(figure, text, layout.bar_box(), studio.scale(), job.params.tp,
-                       layout.bar_style);
+  view::draw_color_bar(figure, text, layout.bar_box(), studio.scale(),
+                       job.params.preferred_temperature, layout.bar_style);
   return figure;
 }
 

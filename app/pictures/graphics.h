@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/context/report.h"
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::pictures {
 

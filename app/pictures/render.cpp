@@ -113,7 +113,8 @@ void render(const RenderJob& job) {
   for (const std::int64_t step : job.at) {
     advance(simulation, step, progress, writer);
     io::Image scene = studio.shoot(simulation, camera, frame.scene_width(), frame.height());
-    writer.write(step, frame.compose(std::move(scene), studio.scale(), job.params.tp));
+    writer.write(step,
+                 frame.compose(std::move(scene), studio.scale(), job.params.preferred_temperature));
   }
   writer.finish();
 }

@@ -7,7 +7,7 @@
 #include "app/context/headless.h"
 #include "app/io/failure.h"
 #include "app/io/text.h"
-#include "engine/start.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow::pictures {
 

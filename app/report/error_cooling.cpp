@@ -17,8 +17,8 @@ Params alone() {
   p.gravity = 0;
   p.drive = 0;
   p.arena_radius = 1000;
-  p.tb0 = 1;
-  p.ta = 0.2;
+  p.initial_temperature = 1;
+  p.ambient_temperature = 0.2;
   return p;
 }
 
@@ -29,9 +29,9 @@ constexpr double kExposed = 2.0 / 3, kNeighbour = 0.5;
 Outcome run(const Setting& setting) {
   Simulation simulation(setting.params);
   Params fast = setting.params, stiff = setting.params;
-  fast.k1 = 100, fast.k2 = 30;
-  stiff.k1 = 1e4, stiff.k2 = 1e4;
-  double fast_tb = fast.tb0, stiff_tb = stiff.tb0;
+  fast.air_conductance = 100, fast.contact_conductance = 30;
+  stiff.air_conductance = 1e4, stiff.contact_conductance = 1e4;
+  double fast_tb = fast.initial_temperature, stiff_tb = stiff.initial_temperature;
   return run_sampled(
       simulation, kSamples, 3,
       [&](const Simulation& s, Trajectory& to) {
@@ -47,15 +47,15 @@ Outcome run(const Setting& setting) {
 
 /// G - a (T - T_a) - b (T - T_c) from T(0) = T_b(0).
 double temperature(const Params& p, double a, double b, double t) {
-  const double end = (p.g + a * p.ta + b * kNeighbour) / (a + b);
-  return end + (p.tb0 - end) * std::exp(-(a + b) * t);
+  const double end = (p.thermogenesis + a * p.ambient_temperature + b * kNeighbour) / (a + b);
+  return end + (p.initial_temperature - end) * std::exp(-(a + b) * t);
 }
 
 void closed_form(Trajectory& right) {
   const Params p = alone();
   for (std::size_t i = 0; i < right[0].size(); ++i) {
     const double t = kSample * static_cast<double>(i + 1);
-    right[0][i] = temperature(p, p.k1, 0, t);
+    right[0][i] = temperature(p, p.air_conductance, 0, t);
     right[1][i] = temperature(p, 100 * kExposed, 30 * (1 - kExposed), t);
     right[2][i] = temperature(p, 1e4 * kExposed, 1e4 * (1 - kExposed), t);
   }

@@ -70,7 +70,7 @@ void divergence_section(Report& report) {
   const Options& options = report.options();
   const int samples = options.quick ? 40 : 150, litters = options.quick ? 2 : 5;
   Params params;
-  params.ta = 0.2;
+  params.ambient_temperature = 0.2;
   io::Progress progress("divergence", std::int64_t{samples} * litters, options.quiet);
   std::int64_t done = 0;
   io::CsvFile csv = report.csv("divergence", params, "seed,time,distance");

@@ -62,7 +62,7 @@ void litter_section(Report& report) {
       " `pupflow report error SCENE` makes such a table of any scene.");
   for (const double ta : kTemperatures) {
     Params base;
-    base.ta = ta;
+    base.ambient_temperature = ta;
     if (quick) base.steps = 400, base.discard = 200;
     const std::string name = "litter-" + rounded(ta);
     const Paired paired = compare(

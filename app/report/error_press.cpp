@@ -13,9 +13,9 @@ Params pair() {
   Params p;
   p.pups = 2;
   p.gravity = 0;
-  p.v = 0;
-  p.k1 = 0;
-  p.g = 0;
+  p.steering_gain = 0;
+  p.air_conductance = 0;
+  p.thermogenesis = 0;
   return p;
 }
 

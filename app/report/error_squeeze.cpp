@@ -77,7 +77,7 @@ double response(double alpha, double t) {
 
 void closed_form(Trajectory& right) {
   const Params p = pup();
-  const double alpha[] = {p.alpha * (1 - p.beta), p.alpha, p.alpha};
+  const double alpha[] = {p.rigidity * (1 - p.deformation), p.rigidity, p.rigidity};
   for (std::size_t mode = 0; mode < 3; ++mode) {
     for (std::size_t i = 0; i < right[mode].size(); ++i) {
       right[mode][i] = response(alpha[mode], kSample * static_cast<double>(i + 1));

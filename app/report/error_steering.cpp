@@ -11,8 +11,9 @@ Params passing() {
   Params p;
   p.pups = 2;
   p.gravity = 0;
-  p.k1 = p.k2 = p.g = 0;  // temperatures stay as they are set
-  p.ta = 0.3;
+  p.air_conductance = p.contact_conductance = p.thermogenesis =
+      0;  // temperatures stay as they are set
+  p.ambient_temperature = 0.3;
   return p;
 }
 

@@ -9,7 +9,7 @@
 
 #include "app/report/stability_measure.h"
 #include "app/report/stability_scenes.h"
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::report::extreme {
 

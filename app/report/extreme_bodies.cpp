@@ -1,7 +1,7 @@
 // Extreme scenes of single bodies: their stiffness, deformations to begin with, their points.
 #include "app/report/extreme.h"
 #include "app/report/extreme_scenes.h"
-#include "engine/overlap.h"
+#include "pupflow/overlap.h"
 
 namespace pupflow::report::extreme {
 
@@ -14,7 +14,7 @@ Finding deformed(Precision precision, const Eigen::Matrix3d& map) {
   Finding all{true, ""};
   for (const double beta : {0.0, 0.5}) {
     Params params = weightless(precision);
-    params.beta = beta;
+    params.deformation = beta;
     Simulation simulation(params);
     Cloud3 cloud = cloud_of(simulation, 0);
     const Vector3d centre = simulation.centre(0);
@@ -35,8 +35,8 @@ Finding deformed(Precision precision, const Eigen::Matrix3d& map) {
 Finding alpha_beta(Precision precision, double alpha, double beta, Integrator integrator,
                    bool quick) {
   Params params = base(precision);
-  params.alpha = alpha;
-  params.beta = beta;
+  params.rigidity = alpha;
+  params.deformation = beta;
   params.integrator = integrator;
   Simulation simulation(params);
   const std::int64_t steps = quick ? 600 : 3000;

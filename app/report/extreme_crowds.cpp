@@ -4,8 +4,8 @@
 
 #include "app/report/extreme.h"
 #include "app/report/extreme_scenes.h"
-#include "engine/metrics.h"
-#include "engine/overlap.h"
+#include "pupflow/observer.h"
+#include "pupflow/overlap.h"
 
 namespace pupflow::report::extreme {
 
@@ -30,8 +30,8 @@ Finding pile(Precision precision, bool quick) {
 Finding soft_pile(Precision precision, bool) {
   Params params = base(precision);
   params.pups = 200;
-  params.alpha = 1;
-  params.beta = 0.99;
+  params.rigidity = 1;
+  params.deformation = 0.99;
   params.gravity = 1000;
   return run_until(params, 400, Status::Kind::diverged, Stage::shape_match);
 }
@@ -100,9 +100,10 @@ Finding alone(Precision precision, bool) {
   params.pups = 1;
   Simulation simulation(params);
   Finding finding = run_fine(simulation, 3000);
-  const double equilibrium = params.ta + params.g / params.k1;
-  const double expected =
-      equilibrium + (params.tb0 - equilibrium) * std::exp(-params.k1 * simulation.time());
+  const double equilibrium =
+      params.ambient_temperature + params.thermogenesis / params.air_conductance;
+  const double expected = equilibrium + (params.initial_temperature - equilibrium) *
+                                            std::exp(-params.air_conductance * simulation.time());
   demand(finding, "difference from the closed form of T_b",
          std::abs(simulation.body_temperature()[0] - expected), 0, 1e-12);
   demand(finding, "exposed", simulation.exposed()[0], 1, 1);

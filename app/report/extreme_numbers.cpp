@@ -9,34 +9,37 @@ namespace pupflow::report::extreme {
 
 Finding ambient(Precision precision, double ta, bool quick) {
   Params params = base(precision);
-  params.ta = ta;
+  params.ambient_temperature = ta;
   Simulation simulation(params);
   Finding finding = run_fine(simulation, quick ? 2000 : 6000);
   const auto tb = simulation.body_temperature();
   const auto [low, high] = std::minmax_element(tb.begin(), tb.end());
   // Between T_b(0) and T_a, or a little above: a huddle keeps some of the heat that it makes.
   constexpr double kOwnHeat = 1;
-  demand(finding, "T_b from", *low, std::min(params.ta, params.tb0), 1e7);
-  demand(finding, "to", *high, -1e7, std::max(params.ta, params.tb0) + kOwnHeat);
+  demand(finding, "T_b from", *low,
+         std::min(params.ambient_temperature, params.initial_temperature), 1e7);
+  demand(finding, "to", *high, -1e7,
+         std::max(params.ambient_temperature, params.initial_temperature) + kOwnHeat);
   return finding;
 }
 
 Finding no_conductance(Precision precision, bool) {
   Params params = base(precision);
-  params.k1 = params.k2 = 0;
+  params.air_conductance = params.contact_conductance = 0;
   Simulation simulation(params);
   Finding finding = run_fine(simulation, 1500);
   double error = 0;
   for (const double tb : simulation.body_temperature()) {
-    error = std::max(error, std::abs(tb - (params.tb0 + params.g * simulation.time())));
+    error = std::max(error, std::abs(tb - (params.initial_temperature +
+                                           params.thermogenesis * simulation.time())));
   }
   demand(finding, "largest difference from T_b(0) + G t", error, 0, 1e-12);
-  params.g = 0;
+  params.thermogenesis = 0;
   Simulation still(params);
   finding.ok = run_fine(still, 500).ok && finding.ok;
   double change = 0;
   for (const double tb : still.body_temperature()) {
-    change = std::max(change, std::abs(tb - params.tb0));
+    change = std::max(change, std::abs(tb - params.initial_temperature));
   }
   demand(finding, "G = 0: largest change", change, 0, 0);
   return finding;
@@ -45,22 +48,22 @@ Finding no_conductance(Precision precision, bool) {
 Finding stiff_euler(Precision precision, bool) {
   Params params = base(precision);
   params.heat = HeatRule::euler;
-  params.k1 = 500;
+  params.air_conductance = 500;
   const Finding euler = run_until(params, 100, Status::Kind::diverged, Stage::heat);
   params.heat = HeatRule::exact;
-  params.k1 = 1e300;
+  params.air_conductance = 1e300;
   Simulation exact(params);
   Finding finding = run_fine(exact, 100);
   double error = 0;
   for (const double tb : exact.body_temperature())
-    error = std::max(error, std::abs(tb - params.ta));
+    error = std::max(error, std::abs(tb - params.ambient_temperature));
   demand(finding, "largest difference of T_b from T_a", error, 0, 1e-9);
   return both("Euler", euler, "Exact, k₁ = 1e300", finding);
 }
 
 Finding steep_sensors(Precision precision, bool) {
   Params params = base(precision);
-  params.sigma = params.v = 1e300;
+  params.sensitivity = params.steering_gain = 1e300;
   Simulation simulation(params);
   return run_fine(simulation, 1500);
 }
@@ -69,13 +72,13 @@ Finding sharp_sensors(Precision precision, bool) {
   Finding all{true, ""};
   for (const double sigma : {1e9, -1e9}) {
     Params params = base(precision);
-    params.sigma = sigma;
+    params.sensitivity = sigma;
     Simulation simulation(params);
     Finding finding = run_fine(simulation, 1500);
     const auto tb = simulation.body_temperature();
     const auto [low, high] = std::minmax_element(tb.begin(), tb.end());
-    demand(finding, "T_b from", *low, params.ta, 1);
-    demand(finding, "to", *high, params.ta, 1);
+    demand(finding, "T_b from", *low, params.ambient_temperature, 1);
+    demand(finding, "to", *high, params.ambient_temperature, 1);
     demand(finding, "largest deformation energy", largest_energy(shapes_of(simulation)), 0, 0.01);
     all.ok = all.ok && finding.ok;
     all.happened += (sigma > 0 ? "10⁹: " : ". −10⁹: ") + finding.happened;
@@ -85,15 +88,15 @@ Finding sharp_sensors(Precision precision, bool) {
 
 Finding burning_start(Precision precision, bool) {
   Params params = base(precision);
-  params.tb0 = 1e300;
+  params.initial_temperature = 1e300;
   Simulation simulation(params);
   Finding finding = run_fine(simulation, 1500);
   const auto tb = simulation.body_temperature();
   const auto [low, high] = std::minmax_element(tb.begin(), tb.end());
   // All exposed, or not at all.
-  demand(finding, "T_b / T_b(0) from", *low / params.tb0,
-         0.999 * std::exp(-params.k1 * simulation.time()), 1);
-  demand(finding, "to", *high / params.tb0, 0, 1);
+  demand(finding, "T_b / T_b(0) from", *low / params.initial_temperature,
+         0.999 * std::exp(-params.air_conductance * simulation.time()), 1);
+  demand(finding, "to", *high / params.initial_temperature, 0, 1);
   return finding;
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/report/stability_scenes.h"
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::report::extreme {
 

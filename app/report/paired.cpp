@@ -10,7 +10,7 @@
 #include "app/report/pups.h"
 #include "app/report/share_out.h"
 #include "app/study/results.h"
-#include "engine/metrics.h"
+#include "pupflow/observer.h"
 
 namespace pupflow::report {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/report/changes.h"
 #include "app/report/estimate.h"
 #include "app/report/report.h"
-#include "engine/status.h"
+#include "pupflow/status.h"
 
 namespace pupflow::report {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <ctime>
 
-#include "engine/cloud.h"
 #include "engine/rotation.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow::report {
 namespace {

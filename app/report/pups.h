@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/report/scene.h"
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::report {
 

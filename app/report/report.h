@@ -7,7 +7,7 @@
 
 #include "app/io/csv.h"
 #include "app/io/table.h"
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::report {
 

@@ -5,6 +5,7 @@
 
 #include "engine/rotation.h"
 #include "engine/shape_match.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow::report {
 namespace {
@@ -89,7 +90,7 @@ Outcome run_body(const Params& params, Routine routine, const Points& points,
   load(points, state.x, state.y, state.z);
   load(velocities, state.vx, state.vy, state.vz);
   const StepBody body = step_body(params);
-  const bool quadratic = params.beta > 0;
+  const bool quadratic = params.deformation > 0;
   const auto steps = static_cast<int>(std::lround(kSample / params.dt));
   RotationFinder find(routine);
   Outcome outcome;
@@ -102,7 +103,7 @@ Outcome run_body(const Params& params, Routine routine, const Points& points,
       predict(params, state, 0);
       const BodyFit fit = fit_body(params, body, quadratic, cloud, state, 0);
       const Matrix3d rotation = find(linear_part(fit.shape));
-      draw_to_goals(params, body, quadratic, cloud, fit,
+      pull_to_goals(params, body, quadratic, cloud, fit,
                     goal_modes(fit.shape, rotation, cloud.linear_scale, body.beta), state, 0);
     }
     spent += thread_seconds() - begin;

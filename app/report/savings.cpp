@@ -11,9 +11,9 @@
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
 #include "app/report/stage_timer.h"
-#include "engine/metrics.h"
-#include "engine/plan.h"
 #include "engine/rng.h"
+#include "pupflow/observer.h"
+#include "pupflow/plan.h"
 
 namespace pupflow::report {
 namespace {
@@ -135,7 +135,7 @@ struct Field {
     for (const Omission& omission : omissions) forced.emplace_back(params, omission.more);
     if (planned.simulation().plan().has(pupflow::Part::quadratic)) {
       Params rigid = params;
-      rigid.beta = 0;
+      rigid.deformation = 0;
       twin.emplace(rigid, Plan{});
     }
   }

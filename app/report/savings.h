@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/io/table.h"
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::report {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/report/report.h"
-#include "engine/params.h"
-#include "engine/status.h"
+#include "pupflow/parameters.h"
+#include "pupflow/status.h"
 
 namespace pupflow::report {
 

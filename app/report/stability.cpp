@@ -21,7 +21,7 @@ std::vector<Trial> try_ordinary(const Options& options) {
   share_out("the default litter", std::ssize(trials), options, [&](std::int64_t task) {
     const auto i = static_cast<std::size_t>(task);
     Params params;
-    params.ta = kOrdinary[i].ta;
+    params.ambient_temperature = kOrdinary[i].ta;
     const auto trial = try_litter(params, io::interrupted);
     if (trial) trials[i] = *trial;
   });

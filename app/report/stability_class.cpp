@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/report/stability_measure.h"
-#include "engine/overlap.h"
+#include "pupflow/overlap.h"
 
 namespace pupflow::report {
 namespace {

@@ -12,9 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/params.h"
-#include "engine/status.h"
-#include "engine/warning.h"
+#include "pupflow/parameters.h"
+#include "pupflow/status.h"
 
 namespace pupflow::report {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "engine/cloud.h"
-#include "engine/simulation.h"
+#include "pupflow/geometry.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::report {
 namespace {
@@ -58,8 +58,9 @@ void hold(Simulation& simulation) {
 std::optional<Trial> try_heat(const Params& params, const std::function<bool()>& stop) {
   if (stop()) return std::nullopt;
   Simulation simulation(params);
-  const double equilibrium = params.ta + params.g / params.k1;
-  Decay decay(params.tb0 - equilibrium);
+  const double equilibrium =
+      params.ambient_temperature + params.thermogenesis / params.air_conductance;
+  Decay decay(params.initial_temperature - equilibrium);
   while (simulation.steps_done() < params.steps) {
     const Status status = simulation.step();
     if (!status.ok()) return lost(status);
@@ -71,7 +72,7 @@ std::optional<Trial> try_heat(const Params& params, const std::function<bool()>&
 std::optional<Trial> try_exchange(const Params& params, const std::function<bool()>& stop) {
   if (stop()) return std::nullopt;
   Simulation simulation(params);
-  simulation.set_body_temperature(0, params.tb0 + kWarmer);
+  simulation.set_body_temperature(0, params.initial_temperature + kWarmer);
   Decay decay(kWarmer);
   while (simulation.steps_done() < params.steps) {
     hold(simulation);

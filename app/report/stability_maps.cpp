@@ -155,7 +155,7 @@ StabilityMap step_alpha(bool quick) {
   map.base = litter(quick);
   for (const double size : {kSlow, kQuick}) {
     map.lines.push_back({"|λ| = √(1 − α (1 − β)) = " + number(size),
-                         number((1 - size * size) / (1 - map.base.beta)), 0, 0});
+                         number((1 - size * size) / (1 - map.base.deformation)), 0, 0});
   }
   map.lines.push_back({"g h² = r_{pup}: a step falls a radius", "",
                        std::sqrt(map.base.pup_radius / map.base.gravity)});
@@ -196,7 +196,7 @@ StabilityMap step_refinement(bool quick) {
   map.base = litter(quick);
   const double size = kSlow;
   map.lines = {{"naive: |λ| = √(1 − α (1 − β)) = " + number(size),
-                number((1 - size * size) / (1 - map.base.beta)), 0, 0}};
+                number((1 - size * size) / (1 - map.base.deformation)), 0, 0}};
   return map;
 }
 
@@ -275,7 +275,7 @@ StabilityMap step_k2(bool quick) {
                 quick ? Values{1, 15, 150, 1500} : decades(-1, 4, 4));
   map.methods = kHeatRules;
   map.base = heat_alone(2);
-  map.base.k1 = map.base.g = 0;
+  map.base.air_conductance = map.base.thermogenesis = 0;
   map.judge = try_exchange;
   map.seeds = 1;
   const double contact = held_contact(map.base);

@@ -2,8 +2,8 @@
 
 #include <Eigen/LU>
 
-#include "engine/cloud.h"
 #include "engine/rotation.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow::report {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::report {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::report {
 

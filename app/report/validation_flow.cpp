@@ -52,7 +52,7 @@ void flow_section(Report& report) {
   const Options& options = report.options();
   report.heading("Pup flow over several lags");
   Params base;
-  base.ta = 0.4;
+  base.ambient_temperature = 0.4;
   report.text(
       "Flow over a lag is the mean of |A(t) − A(t − lag)| / lag, per second. One point that "
       "begins or ceases to touch between two steps makes a flow of 1/(" +
@@ -65,7 +65,7 @@ void flow_section(Report& report) {
   std::vector<Params> settings;
   for (const double ta : options.quick ? std::vector{0.2, 0.5, 0.8} : spaced(0, 1, 21)) {
     settings.push_back(base);
-    settings.back().ta = ta;
+    settings.back().ambient_temperature = ta;
   }
   const auto means = means_of_runs("flow", settings, options.quick ? 2 : 8, options, measure_flow);
   std::string columns = "ta";
@@ -78,8 +78,8 @@ void flow_section(Report& report) {
   rows[0].insert(rows[0].end(), {"one point", "no change"});
   io::CsvFile csv = report.csv("flow", base, columns + ",one_point,one_point_se,still,still_se");
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    csv.cell(settings[i].ta);
-    rows.push_back({rounded(settings[i].ta)});
+    csv.cell(settings[i].ambient_temperature);
+    rows.push_back({rounded(settings[i].ambient_temperature)});
     end_row(means[i], csv, rows);
   }
   csv.commit();

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::report {
 

@@ -22,10 +22,10 @@ void add_step(const Simulation& simulation, const std::vector<double>& before,
       sum += before[other];
       ++count;
     }
-    const double gain = count > 0 ? -p.k2 * (1 - exposed) * (tb - sum / count) : 0;
+    const double gain = count > 0 ? -p.contact_conductance * (1 - exposed) * (tb - sum / count) : 0;
     balance.change += (simulation.body_temperature()[pup] - tb) / p.dt;
-    balance.made += p.g;
-    balance.lost += p.k1 * exposed * (tb - p.ta);
+    balance.made += p.thermogenesis;
+    balance.lost += p.air_conductance * exposed * (tb - p.ambient_temperature);
     balance.exchanged += gain;
     balance.moved += std::abs(gain);
   }
@@ -70,7 +70,7 @@ void heat_section(Report& report) {
     for (const double ta :
          options.quick ? std::vector{0.2, 0.8} : std::vector{0.0, 0.2, 0.4, 0.5, 0.6, 0.8}) {
       settings.emplace_back();
-      settings.back().ta = ta;
+      settings.back().ambient_temperature = ta;
       settings.back().steps = end;
       settings.back().discard = end == 1500 ? 500 : 2500;
     }
@@ -88,8 +88,9 @@ void heat_section(Report& report) {
                              "from others", "from others, of G", "size"}};
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const Params& p = settings[i];
-    csv.cell(p.ta).cell(p.steps);
-    rows.push_back({rounded(p.ta), std::to_string(p.discard + 1) + "–" + std::to_string(p.steps)});
+    csv.cell(p.ambient_temperature).cell(p.steps);
+    rows.push_back({rounded(p.ambient_temperature),
+                    std::to_string(p.discard + 1) + "–" + std::to_string(p.steps)});
     end_row(means[i], csv, rows);
   }
   csv.commit();

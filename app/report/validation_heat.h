@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::report {
 

@@ -1,7 +1,7 @@
 // How far bodies run into each other, with each reading of the contact rule.
 #include "app/report/validation_readings.h"
 #include "app/report/validation_sections.h"
-#include "engine/overlap.h"
+#include "pupflow/overlap.h"
 
 namespace pupflow::report {
 namespace {
@@ -40,7 +40,7 @@ void overlap_section(Report& report) {
   for (const Reading& reading : kReadings) {
     for (const double t : ta) {
       settings.emplace_back();
-      settings.back().ta = t;
+      settings.back().ambient_temperature = t;
       settings.back().contact = reading.rule;
     }
   }
@@ -53,8 +53,8 @@ void overlap_section(Report& report) {
   std::vector<io::Row> rows{{"contact", "T_a", "nearest", "least", "inside", "exposed"}};
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const std::string reading = kReadings[static_cast<std::size_t>(settings[i].contact)].name;
-    csv.cell(std::string_view(reading)).cell(settings[i].ta);
-    rows.push_back({reading, rounded(settings[i].ta)});
+    csv.cell(std::string_view(reading)).cell(settings[i].ambient_temperature);
+    rows.push_back({reading, rounded(settings[i].ambient_temperature)});
     end_row(means[i], csv, rows);
   }
   csv.commit();

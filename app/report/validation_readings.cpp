@@ -4,7 +4,7 @@
 
 #include "app/report/validation_readings.h"
 #include "app/report/validation_sections.h"
-#include "engine/ensemble.h"
+#include "pupflow/ensemble.h"
 
 namespace pupflow::report {
 namespace {
@@ -18,7 +18,9 @@ ReadingCurve curve_of(const std::string& reading, const std::vector<double>& ta,
     const std::size_t low = i > 0 ? i - 1 : i, high = std::min(i + 1, ta.size() - 1);
     curve.slope.push_back(std::abs(means[high][kHuddling].mean - means[low][kHuddling].mean) /
                           (ta[high] - ta[low]));
-    curve.held.push_back(defaults.tp - defaults.g / (defaults.k1 * (1 - means[i][kHuddling].mean)));
+    curve.held.push_back(defaults.preferred_temperature -
+                         defaults.thermogenesis /
+                             (defaults.air_conductance * (1 - means[i][kHuddling].mean)));
   }
   return curve;
 }
@@ -79,7 +81,7 @@ bool warm(double ta) {
 std::string regulated(const ReadingCurve& curve) {
   double low = INFINITY, high = -INFINITY;
   for (std::size_t i = 0; i < curve.ta.size(); ++i) {
-    if (std::abs(curve.means[i][kTb].mean - Params{}.tp) > 0.03) continue;
+    if (std::abs(curve.means[i][kTb].mean - Params{}.preferred_temperature) > 0.03) continue;
     low = std::min(low, curve.ta[i]);
     high = std::max(high, curve.ta[i]);
   }
@@ -114,7 +116,8 @@ double mean_held_in_the_cold(const ReadingCurve& curve) {
     ++count;
   }
   const Params defaults;
-  return defaults.tp - defaults.g / (defaults.k1 * (1 - huddling / count));
+  return defaults.preferred_temperature -
+         defaults.thermogenesis / (defaults.air_conductance * (1 - huddling / count));
 }
 
 void summary_table(Report& report, const std::vector<ReadingCurve>& curves) {
@@ -190,7 +193,7 @@ void show_heading(Report& report, Heading heading, int temperatures, int seeds) 
   for (const Reading& reading : kReadings) {
     for (const double t : ta) {
       settings.push_back(base);
-      settings.back().ta = t;
+      settings.back().ambient_temperature = t;
       settings.back().contact = reading.rule;
     }
   }

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "app/report/validation_runs.h"
-#include "engine/metrics.h"
+#include "pupflow/observer.h"
 
 namespace pupflow::report {
 

@@ -7,7 +7,7 @@
 
 #include "app/report/estimate.h"
 #include "app/report/report.h"
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::report {
 

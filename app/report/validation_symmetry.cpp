@@ -6,9 +6,9 @@
 #include "app/report/pups.h"
 #include "app/report/share_out.h"
 #include "app/report/validation_sections.h"
-#include "engine/cloud.h"
-#include "engine/ensemble.h"
 #include "engine/rng.h"
+#include "pupflow/ensemble.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow::report {
 namespace {
@@ -120,7 +120,7 @@ void partings_table(Report& report) {
   const Options& options = report.options();
   const std::int64_t most = options.quick ? 50 : 1000;
   std::vector<Params> settings(2);
-  settings[0].ta = settings[1].ta = 0.2;
+  settings[0].ambient_temperature = settings[1].ambient_temperature = 0.2;
   settings[1].heading = Heading::body;
   const auto runs = all_runs("partings", settings, options.quick ? 2 : 7, options,
                              [&](const Params& params) { return partings(params, most); });
@@ -147,7 +147,7 @@ void means_table(Report& report) {
   const Options& options = report.options();
   const std::size_t seeds = options.quick ? 2 : 20;
   std::vector<Params> settings(2);
-  settings[0].ta = settings[1].ta = 0.2;
+  settings[0].ambient_temperature = settings[1].ambient_temperature = 0.2;
   settings[1].heading = Heading::body;
   std::vector<std::vector<std::vector<double>>> runs[2];
   for (const bool in_mirror : {false, true}) {

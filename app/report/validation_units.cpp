@@ -3,7 +3,7 @@
 #include "app/report/validation_units.h"
 #include "app/report/pups.h"
 #include "app/report/validation_sections.h"
-#include "engine/ensemble.h"
+#include "pupflow/ensemble.h"
 
 namespace pupflow::report {
 namespace {
@@ -83,7 +83,7 @@ void units_section(Report& report) {
   Params base;
   for (const double ta : temperatures) {
     for (const double scale : scales) {
-      base.ta = ta;
+      base.ambient_temperature = ta;
       settings.push_back(in_unit(base, scale));
     }
   }
@@ -96,13 +96,13 @@ void units_section(Report& report) {
       {"T_a", "factor", "mean T_b", "1 − A", "groups", "largest", "flow, lag 1", "highest"}};
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const double scale = scales[i % scales.size()];
-    csv.cell(settings[i].ta).cell(scale);
-    rows.push_back({rounded(settings[i].ta), rounded(scale)});
+    csv.cell(settings[i].ambient_temperature).cell(scale);
+    rows.push_back({rounded(settings[i].ambient_temperature), rounded(scale)});
     end_row(means[i], csv, rows);
   }
   csv.commit();
   report.table(rows);
-  base.ta = 0.2;
+  base.ambient_temperature = 0.2;
   const Parting parting = part_by_unit(base, 10, 1500);
   report.text("Seed 1 at T_a = 0.2 with factor 10: the first contact is in step " +
               std::to_string(parting.contact) +

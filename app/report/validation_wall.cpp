@@ -51,7 +51,7 @@ void wall_section(Report& report) {
   std::vector<io::Row> rows{{"step"}};
   for (const double ta : {0.2, 0.5, 0.6, 0.8}) {
     settings.emplace_back();
-    settings.back().ta = ta;
+    settings.back().ambient_temperature = ta;
     rows[0].push_back("T_a = " + rounded(ta));
   }
   settings.emplace_back();
@@ -65,7 +65,7 @@ void wall_section(Report& report) {
     for (std::size_t i = 0; i < settings.size(); ++i) {
       const MeanAndError& share = means[i][look];
       rows.back().push_back(text_of(share));
-      csv.cell(std::int64_t{settings[i].pups}).cell(settings[i].ta).cell(at[look]);
+      csv.cell(std::int64_t{settings[i].pups}).cell(settings[i].ambient_temperature).cell(at[look]);
       csv.cell(share.mean).cell(share.error).end_row();
     }
   }

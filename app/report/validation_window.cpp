@@ -1,7 +1,7 @@
 // What a run's window changes: the paper's steps 501 to 1500 beside later ones.
 #include "app/report/validation_readings.h"
 #include "app/report/validation_sections.h"
-#include "engine/metrics.h"
+#include "pupflow/observer.h"
 
 namespace pupflow::report {
 namespace {
@@ -47,7 +47,7 @@ void show(Report& report, const std::string& name, const std::vector<Params>& se
   // The file has a window's rows together, since a plot joins them; the page those of a T_a.
   for (std::size_t window = 0; window < windows; ++window) {
     for (std::size_t i = 0; i < settings.size(); ++i) {
-      csv.cell(reading(i)).cell(settings[i].ta).cell(kWindows[window].name);
+      csv.cell(reading(i)).cell(settings[i].ambient_temperature).cell(kWindows[window].name);
       for (std::size_t n = 0; n < kNumberNames.size(); ++n) {
         const MeanAndError& number = means[i][window * kNumberNames.size() + n];
         csv.cell(number.mean).cell(number.error);
@@ -57,7 +57,7 @@ void show(Report& report, const std::string& name, const std::vector<Params>& se
   }
   for (std::size_t i = 0; i < settings.size(); ++i) {
     for (std::size_t window = 0; window < windows; ++window) {
-      rows.push_back({reading(i), rounded(settings[i].ta), kWindows[window].name});
+      rows.push_back({reading(i), rounded(settings[i].ambient_temperature), kWindows[window].name});
       for (std::size_t n = 0; n < kNumberNames.size(); ++n) {
         rows.back().push_back(text_of(means[i][window * kNumberNames.size() + n]));
       }
@@ -105,7 +105,7 @@ void window_section(Report& report) {
   std::vector<Params> settings;
   for (const double ta : options.quick ? std::vector{0.4, 0.55} : spaced(0.3, 0.65, 15)) {
     settings.emplace_back();
-    settings.back().ta = ta;
+    settings.back().ambient_temperature = ta;
     settings.back().steps = kWindows[1].steps;
   }
   show(report, "window", settings,
@@ -117,7 +117,7 @@ void window_section(Report& report) {
     for (const double ta :
          options.quick ? std::vector{0.55} : std::vector{0.2, 0.4, 0.5, 0.55, 0.6, 0.8}) {
       settings.emplace_back();
-      settings.back().ta = ta;
+      settings.back().ambient_temperature = ta;
       settings.back().contact = reading.rule;
       settings.back().steps = kWindows[2].steps;
     }

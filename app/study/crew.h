@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "engine/ensemble.h"
+#include "pupflow/ensemble.h"
 
 namespace pupflow::study {
 

@@ -7,7 +7,7 @@
 #include "app/io/failure.h"
 #include "app/io/nearest.h"
 #include "app/io/text.h"
-#include "engine/rng.h"
+#include "pupflow/ensemble.h"
 
 namespace pupflow::study {
 namespace {
@@ -146,14 +146,6 @@ std::vector<std::int64_t> Design::own_runs() const {
   std::vector<std::int64_t> own;
   for (std::int64_t run = shard.number - 1; run < runs(); run += shard.of) own.push_back(run);
   return own;
-}
-
-std::int64_t run_seed(std::int64_t base_seed, std::int64_t run) {
-  // An odd factor is a bijection modulo 2^31, so no two runs of a sweep share a seed. Such a seed
-  // is short to type and fits what other programs take for one.
-  constexpr std::uint64_t kSeedMask = (std::uint64_t{1} << 31) - 1, kOdd = 0x9e3779b97f4a7c15u;
-  const std::uint64_t start = mix_bits(static_cast<std::uint64_t>(base_seed));
-  return static_cast<std::int64_t>((start + static_cast<std::uint64_t>(run) * kOdd) & kSeedMask);
 }
 
 void check_design(const Design& design) {

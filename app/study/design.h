@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::study {
 
@@ -49,10 +49,6 @@ struct Design {
   /// The runs of the shard, in order.
   std::vector<std::int64_t> own_runs() const;
 };
-
-/// The seed of a run: a pure function of base seed and run index, different for every run of a
-/// sweep.
-std::int64_t run_seed(std::int64_t base_seed, std::int64_t run);
 
 /// Throws io::Failure(bad_input) with every problem of the design: parameters that are unsound at
 /// some grid point, a parameter varied twice, too many runs.

@@ -81,9 +81,10 @@ std::string marks(const Design& design, const Axis& axis, bool labelled) {
     if (labelled) s << " '" << text << "' at " << x << ", graph 0.06 " << side << " tc '#666666'";
     s << '\n';
   };
-  mark(1, params.tp, "T_{p}", "left offset 0.4,0", 2);
-  if (params.k1 > 0) {
-    mark(2, params.tp - params.g / params.k1, "T_{p} - G/k_{1}", "right offset -0.4,0", 3);
+  mark(1, params.preferred_temperature, "T_{p}", "left offset 0.4,0", 2);
+  if (params.air_conductance > 0) {
+    mark(2, params.preferred_temperature - params.thermogenesis / params.air_conductance,
+         "T_{p} - G/k_{1}", "right offset -0.4,0", 3);
   }
   return s.str();
 }
@@ -106,25 +107,25 @@ struct Curves {
 
   /// What follows "plot": mean and spread of one column. `axes` is "x1y1" or "x1y2"; named values
   /// are moved aside by `aside`.
-  std::string of(const std::string& column, const char* colour, const char* axes, double aside,
+  std::string of(const std::string& column, const char* color, const char* axes, double aside,
                  const std::string& key) const {
     const std::string mean = "column('" + column + "')", sd = "column('" + column + "_sd')";
     const std::string x =
         words ? "(column(0) + " + io::number_text(aside) + "):" : "(column('" + varied + "')):";
     const std::string ticks = words && aside == 0 ? ":xtic(stringcolumn('" + varied + "'))" : "";
     const std::string on = std::string(" axes ") + axes;
-    const std::string colour_of = std::string(" lc '") + colour + "' ";
+    const std::string color_of = std::string(" lc '") + color + "' ";
     std::ostringstream s;
     if (words) {
       s << "'summary.csv' using " << x << "(" << mean << "):(" << sd << ")" << on
-        << " with yerrorbars pt 0 lw 1.5" << colour_of << "notitle, \\\n       ";
+        << " with yerrorbars pt 0 lw 1.5" << color_of << "notitle, \\\n       ";
     } else {
       s << "'summary.csv' using " << x << "(" << mean << " - " << sd << "):(" << mean << " + " << sd
-        << ")" << on << " with filledcurves" << colour_of << "notitle, \\\n       ";
+        << ")" << on << " with filledcurves" << color_of << "notitle, \\\n       ";
     }
     s << "'summary.csv' using " << x << "(" << mean << ")" << ticks << on
       << (words ? " with points" : " with linespoints lw 1.8") << " pt " << (axes[3] == '1' ? 7 : 5)
-      << " ps 0.6" << colour_of << key;
+      << " ps 0.6" << color_of << key;
     return s.str();
   }
 };

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/study/design.h"
-#include "engine/ensemble.h"
+#include "pupflow/ensemble.h"
 
 namespace pupflow::study {
 

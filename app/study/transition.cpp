@@ -58,7 +58,7 @@ std::vector<Range> held_ranges(const Design& design, const std::vector<Summary>&
   for (std::size_t i = 1; i < rising.size(); ++i) {
     const Summary &a = *rising[i - 1], &b = *rising[i];
     if (a.runs == 0 || b.runs == 0) continue;
-    const double tp = design.params_of(0).tp;
+    const double tp = design.params_of(0).preferred_temperature;
     const auto range = held_between(a.values[axis], b.values[axis], mean_of(a, kMeanTb) - tp,
                                     mean_of(b, kMeanTb) - tp);
     if (!range) continue;
@@ -101,8 +101,10 @@ std::string transition_text(const Design& design, const Transition& t) {
                          ? io::formatted("1 - A falls most steeply between T_a %.3f and %.3f",
                                          t.steepest->from, t.steepest->to)
                          : "1 - A falls nowhere";
-  if (design.base.k1 > 0)
-    text += io::formatted("; T_p - G/k1 = %.3f", design.base.tp - design.base.g / design.base.k1);
+  if (design.base.air_conductance > 0)
+    text += io::formatted("; T_p - G/k1 = %.3f",
+                          design.base.preferred_temperature -
+                              design.base.thermogenesis / design.base.air_conductance);
   text += io::formatted("\nthe standard deviation of A is highest, %.3g, at T_a %.3f\n",
                         t.exposed_sd.value, t.exposed_sd.ta);
   text += io::formatted("pup flow (lag %lld) is highest, %.3g /s, at T_a %.3f\n",

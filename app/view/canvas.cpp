@@ -21,34 +21,34 @@ void mix(std::uint8_t& below, std::uint8_t above, double cover) {
 
 }  // namespace
 
-void blend(io::Image& image, int x, int y, Rgb colour, double cover) {
+void blend(io::Image& image, int x, int y, Rgb color, double cover) {
   if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
   std::uint8_t* pixel = image.pixel(x, y);
   cover = std::clamp(cover, 0.0, 1.0);
-  mix(pixel[0], colour.r, cover);
-  mix(pixel[1], colour.g, cover);
-  mix(pixel[2], colour.b, cover);
+  mix(pixel[0], color.r, cover);
+  mix(pixel[1], color.g, cover);
+  mix(pixel[2], color.b, cover);
   mix(pixel[3], 255, cover);
 }
 
-void fill(io::Image& image, const Box& box, Rgb colour) {
+void fill(io::Image& image, const Box& box, Rgb color) {
   const Box inside = clip(image, box);
   for (int y = inside.y; y < inside.y + inside.height; ++y) {
     for (int x = inside.x; x < inside.x + inside.width; ++x) {
-      const std::uint8_t rgba[4] = {colour.r, colour.g, colour.b, 255};
+      const std::uint8_t rgba[4] = {color.r, color.g, color.b, 255};
       std::memcpy(image.pixel(x, y), rgba, 4);
     }
   }
 }
 
-void frame(io::Image& image, const Box& box, int width, Rgb colour) {
-  fill(image, {box.x, box.y, box.width, width}, colour);
-  fill(image, {box.x, box.y + box.height - width, box.width, width}, colour);
-  fill(image, {box.x, box.y, width, box.height}, colour);
-  fill(image, {box.x + box.width - width, box.y, width, box.height}, colour);
+void frame(io::Image& image, const Box& box, int width, Rgb color) {
+  fill(image, {box.x, box.y, box.width, width}, color);
+  fill(image, {box.x, box.y + box.height - width, box.width, width}, color);
+  fill(image, {box.x, box.y, width, box.height}, color);
+  fill(image, {box.x + box.width - width, box.y, width, box.height}, color);
 }
 
-void line(io::Image& image, double x0, double y0, double x1, double y1, double width, Rgb colour) {
+void line(io::Image& image, double x0, double y0, double x1, double y1, double width, Rgb color) {
   const double dx = x1 - x0, dy = y1 - y0, length = std::hypot(dx, dy), half = width / 2;
   if (!(length > 0)) return;
   const Box reach = clip(image, {static_cast<int>(std::floor(std::min(x0, x1) - half - 1)),
@@ -61,7 +61,7 @@ void line(io::Image& image, double x0, double y0, double x1, double y1, double w
       const double along = (px * dx + py * dy) / length, across = (py * dx - px * dy) / length;
       const double cover_across = std::clamp(half - std::abs(across) + 0.5, 0.0, 1.0);
       const double cover_along = std::clamp(std::min(along, length - along) + 0.5, 0.0, 1.0);
-      blend(image, x, y, colour, std::min(cover_across, width) * cover_along);
+      blend(image, x, y, color, std::min(cover_across, width) * cover_along);
     }
   }
 }

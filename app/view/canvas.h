@@ -12,16 +12,16 @@ struct Box {
 };
 
 /// Mixes `colour` over the pixel (x, y) with `cover` in 0 ... 1; outside the picture, nothing.
-void blend(io::Image& image, int x, int y, Rgb colour, double cover);
+void blend(io::Image& image, int x, int y, Rgb color, double cover);
 
 /// Fills `box` with an opaque colour.
-void fill(io::Image& image, const Box& box, Rgb colour);
+void fill(io::Image& image, const Box& box, Rgb color);
 
 /// Draws a frame of `width` pixels just inside `box`.
-void frame(io::Image& image, const Box& box, int width, Rgb colour);
+void frame(io::Image& image, const Box& box, int width, Rgb color);
 
 /// A line between two places, in pixels from the upper left corner of the picture, anti-aliased.
-void line(io::Image& image, double x0, double y0, double x1, double y1, double width, Rgb colour);
+void line(io::Image& image, double x0, double y0, double x1, double y1, double width, Rgb color);
 
 /// Copies `source` with its upper left corner at (x, y).
 void blit(io::Image& image, const io::Image& source, int x, int y);

@@ -85,7 +85,7 @@ void DrawList::update(const LitterState& litter, const ColorScale& scale, const 
   const Eigen::Vector3f backward = camera.backward().cast<float>();
   for (std::size_t pup = 0; pup < pups; ++pup) {
     const std::span<const float> xyz = litter.positions.subspan(3 * points * pup, 3 * points);
-    const Rgb colour = scale(litter.body_temperature[pup]);
+    const Rgb color = scale(litter.body_temperature[pup]);
     const bool cull = culling == Culling::hidden;
     const Skin skin = cull ? Skin(xyz, sphere_radius_, camera) : Skin();
     for (std::size_t i = 0; i < points; ++i) {
@@ -98,7 +98,7 @@ void DrawList::update(const LitterState& litter, const ColorScale& scale, const 
         const Eigen::Vector3f sight = perspective ? (eye - point).eval() : backward;
         if (normal.dot(sight) < kFacingAway * normal.norm() * sight.norm()) continue;
       }
-      spheres_.push_back({point.x(), point.y(), point.z(), colour.r, colour.g, colour.b, 255});
+      spheres_.push_back({point.x(), point.y(), point.z(), color.r, color.g, color.b, 255});
     }
   }
   bounds_.low = low.cast<double>().array() - sphere_radius_;

@@ -7,7 +7,7 @@
 
 #include "app/view/camera.h"
 #include "app/view/colormap.h"
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::view {
 

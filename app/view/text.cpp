@@ -129,21 +129,21 @@ double TextPainter::width(const TextLine& line, double size) {
 }
 
 void TextPainter::draw(io::Image& image, double x, double y, const TextLine& line, double size,
-                       Rgb colour, Align align) {
+                       Rgb color, Align align) {
   const double share = align == Align::left ? 0 : align == Align::centre ? 0.5 : 1;
   const double start = share == 0 ? x : x - share * width(line, size);
   const int baseline = static_cast<int>(std::lround(y));
   freetype_->set(line, size, start, [&](int px, int py, double cover) {
-    blend(image, px, baseline + py, colour, cover);
+    blend(image, px, baseline + py, color, cover);
   });
 }
 
 void TextPainter::draw_upwards(io::Image& image, double x, double y, const TextLine& line,
-                               double size, Rgb colour) {
+                               double size, Rgb color) {
   const int column = static_cast<int>(std::lround(x));
   const int middle = static_cast<int>(std::lround(y));
   freetype_->set(line, size, -width(line, size) / 2, [&](int px, int py, double cover) {
-    blend(image, column + py, middle - px, colour, cover);
+    blend(image, column + py, middle - px, color, cover);
   });
 }
 

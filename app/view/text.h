@@ -39,13 +39,13 @@ class TextPainter {
   double width(const TextLine& line, double size);
 
   /// Draws `line` with its baseline at height `y`, to the right of, around or to the left of `x`.
-  void draw(io::Image& image, double x, double y, const TextLine& line, double size, Rgb colour,
+  void draw(io::Image& image, double x, double y, const TextLine& line, double size, Rgb color,
             Align align = Align::left);
 
   /// The same, turned a quarter counter-clockwise: reads upwards, its baseline at the column `x`
   /// and its middle at height `y`.
   void draw_upwards(io::Image& image, double x, double y, const TextLine& line, double size,
-                    Rgb colour);
+                    Rgb color);
 
  private:
   struct FreeType;

@@ -105,7 +105,8 @@ void ArenaView::write_picture(const std::string& path, const Snapshot& snapshot,
   io::Image scene =
       renderer_.picture(camera, frame.scene_width(), frame.height(), look.supersample);
   const view::ColorScale scale(look.colormap, look.scale_min, look.scale_max);
-  const io::Image picture = frame.compose(std::move(scene), scale, snapshot.params.tp);
+  const io::Image picture =
+      frame.compose(std::move(scene), scale, snapshot.params.preferred_temperature);
 
   io::TextEntries extra{{"picture", "live"}, {"step", std::to_string(snapshot.step)}};
   const io::TextEntries where =

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/metrics.h"
+#include "pupflow/observer.h"
 
 namespace pupflow::window {
 

@@ -11,8 +11,8 @@ constexpr ImGuiWindowFlags kFloating =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
 
-ImU32 packed(view::Rgb colour) {
-  return IM_COL32(colour.r, colour.g, colour.b, 255);
+ImU32 packed(view::Rgb color) {
+  return IM_COL32(color.r, color.g, color.b, 255);
 }
 
 /// A bar from `low` (upper left) in as many strips as it has pixels in height.

@@ -111,7 +111,7 @@ bool Panels::draw(const Layout& layout, const Snapshot& snapshot, double frames_
   }
   const view::ColorScale scale(controls.look.colormap, controls.look.scale_min,
                                controls.look.scale_max);
-  draw_color_bar(layout.bar, scale, snapshot.params.tp, fonts);
+  draw_color_bar(layout.bar, scale, snapshot.params.preferred_temperature, fonts);
   draw_warnings(layout.arena, snapshot);
   draw_bad_status(layout.arena, snapshot, controls, fonts, events);
   draw_help(layout.arena, controls, fonts, events);

@@ -6,7 +6,7 @@
 #include "app/window/controls.h"
 #include "app/window/test_events.h"
 #include "app/window/theme.h"
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::window {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/window/history.h"
-#include "engine/metrics.h"
-#include "engine/simulation.h"
+#include "pupflow/observer.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::window {
 

@@ -27,34 +27,34 @@ ImFont* add_font(float size) {
                                                     &config, kRanges.data());
 }
 
-ImVec4 colour(ImU32 packed, float alpha = 1) {
+ImVec4 color(ImU32 packed, float alpha = 1) {
   ImVec4 value = ImGui::ColorConvertU32ToFloat4(packed);
   value.w = alpha;
   return value;
 }
 
-void set_colours(ImGuiStyle& style) {
+void set_colors(ImGuiStyle& style) {
   ImGui::StyleColorsLight(&style);
-  ImVec4* const colours = style.Colors;
-  colours[ImGuiCol_Text] = colour(kInk);
-  colours[ImGuiCol_TextDisabled] = colour(kFaint);
-  colours[ImGuiCol_WindowBg] = colour(IM_COL32(246, 247, 249, 255));
-  colours[ImGuiCol_PopupBg] = colour(IM_COL32(255, 255, 255, 255));
-  colours[ImGuiCol_Border] = colour(kLine);
-  colours[ImGuiCol_FrameBg] = colour(IM_COL32(226, 230, 235, 255));
-  colours[ImGuiCol_FrameBgHovered] = colour(IM_COL32(214, 224, 231, 255));
-  colours[ImGuiCol_FrameBgActive] = colour(IM_COL32(202, 219, 228, 255));
-  colours[ImGuiCol_SliderGrab] = colour(IM_COL32(141, 190, 209, 255));  // text runs across it
-  colours[ImGuiCol_SliderGrabActive] = colour(IM_COL32(104, 170, 195, 255));
-  colours[ImGuiCol_CheckMark] = colour(kAccent);
-  colours[ImGuiCol_Button] = colour(IM_COL32(221, 227, 232, 255));
-  colours[ImGuiCol_ButtonHovered] = colour(IM_COL32(201, 218, 227, 255));
-  colours[ImGuiCol_ButtonActive] = colour(IM_COL32(176, 203, 217, 255));
-  colours[ImGuiCol_Header] = colour(IM_COL32(233, 236, 240, 255));
-  colours[ImGuiCol_HeaderHovered] = colour(IM_COL32(219, 228, 234, 255));
-  colours[ImGuiCol_HeaderActive] = colour(IM_COL32(202, 219, 228, 255));
-  colours[ImGuiCol_Separator] = colour(kLine);
-  colours[ImGuiCol_TextSelectedBg] = colour(kAccent, 0.3f);
+  ImVec4* const colors = style.Colors;
+  colors[ImGuiCol_Text] = color(kInk);
+  colors[ImGuiCol_TextDisabled] = color(kFaint);
+  colors[ImGuiCol_WindowBg] = color(IM_COL32(246, 247, 249, 255));
+  colors[ImGuiCol_PopupBg] = color(IM_COL32(255, 255, 255, 255));
+  colors[ImGuiCol_Border] = color(kLine);
+  colors[ImGuiCol_FrameBg] = color(IM_COL32(226, 230, 235, 255));
+  colors[ImGuiCol_FrameBgHovered] = color(IM_COL32(214, 224, 231, 255));
+  colors[ImGuiCol_FrameBgActive] = color(IM_COL32(202, 219, 228, 255));
+  colors[ImGuiCol_SliderGrab] = color(IM_COL32(141, 190, 209, 255));  // text runs across it
+  colors[ImGuiCol_SliderGrabActive] = color(IM_COL32(104, 170, 195, 255));
+  colors[ImGuiCol_CheckMark] = color(kAccent);
+  colors[ImGuiCol_Button] = color(IM_COL32(221, 227, 232, 255));
+  colors[ImGuiCol_ButtonHovered] = color(IM_COL32(201, 218, 227, 255));
+  colors[ImGuiCol_ButtonActive] = color(IM_COL32(176, 203, 217, 255));
+  colors[ImGuiCol_Header] = color(IM_COL32(233, 236, 240, 255));
+  colors[ImGuiCol_HeaderHovered] = color(IM_COL32(219, 228, 234, 255));
+  colors[ImGuiCol_HeaderActive] = color(IM_COL32(202, 219, 228, 255));
+  colors[ImGuiCol_Separator] = color(kLine);
+  colors[ImGuiCol_TextSelectedBg] = color(kAccent, 0.3f);
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ Fonts load_fonts(float scale, float density) {
 
 void apply_theme(float scale) {
   ImGuiStyle style;
-  set_colours(style);
+  set_colors(style);
   style.WindowPadding = {12, 12};
   style.FramePadding = {7, 3};
   style.ItemSpacing = {7, 5};
@@ -91,14 +91,14 @@ void apply_theme(float scale) {
   ImGui::GetStyle() = style;
 }
 
-float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 colour,
+float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
                      std::string_view text) {
   const float ratio = ImGui::GetIO().FontGlobalScale;
   const float drop = 0.32f * fonts.text->FontSize * ratio;
   float x = place.x;
   const auto draw = [&](ImFont* font, float y, std::string_view part) {
     const float size = font->FontSize * ratio;
-    list.AddText(font, size, {x, y}, colour, part.data(), part.data() + part.size());
+    list.AddText(font, size, {x, y}, color, part.data(), part.data() + part.size());
     x += font->CalcTextSizeA(size, FLT_MAX, 0, part.data(), part.data() + part.size()).x;
   };
   while (!text.empty()) {
@@ -116,12 +116,12 @@ float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 c
   return x - place.x;
 }
 
-void rich_text(const Fonts& fonts, ImU32 colour, std::string_view text) {
+void rich_text(const Fonts& fonts, ImU32 color, std::string_view text) {
   ImGui::AlignTextToFramePadding();
   const ImVec2 place = ImGui::GetCursorScreenPos();
   const float offset = ImGui::GetStyle().FramePadding.y;
   const float width =
-      draw_rich_text(*ImGui::GetWindowDrawList(), fonts, {place.x, place.y + offset}, colour, text);
+      draw_rich_text(*ImGui::GetWindowDrawList(), fonts, {place.x, place.y + offset}, color, text);
   ImGui::Dummy({width, ImGui::GetFrameHeight()});
 }
 

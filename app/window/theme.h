@@ -31,10 +31,10 @@ constexpr ImU32 kBad = IM_COL32(176, 38, 38, 255);
 
 /// Draws UTF-8 text at `place` on `list`; letters and digits after '_' are set as a subscript.
 /// Returns its width.
-float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 colour,
+float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
                      std::string_view text);
 
 /// The same as an item in the layout.
-void rich_text(const Fonts& fonts, ImU32 colour, std::string_view text);
+void rich_text(const Fonts& fonts, ImU32 color, std::string_view text);
 
 }  // namespace pupflow::window

@@ -1,13 +1,13 @@
 // The mean huddling of twelve pups in the cold and in the warm.
 #include <iostream>
 
-#include "engine/metrics.h"
-#include "engine/simulation.h"
+#include "pupflow/observer.h"
+#include "pupflow/simulation.h"
 
 int main() {
   for (const double ta : {0.2, 0.8}) {
     pupflow::Params params;
-    params.ta = ta;
+    params.ambient_temperature = ta;
     pupflow::Simulation simulation(params);
     pupflow::Observer observer(simulation);
     pupflow::RunMeans means(params.discard);

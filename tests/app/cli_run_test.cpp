@@ -8,9 +8,9 @@
 
 #include "app/io/provenance.h"
 #include "app/io/scene_file.h"
-#include "engine/metrics.h"
-#include "engine/simulation.h"
 #include "program.h"
+#include "pupflow/observer.h"
+#include "pupflow/simulation.h"
 #include "tests/support/scratch.h"
 
 namespace pupflow {
@@ -108,8 +108,8 @@ TEST_F(CliRun, DefaultThenSceneThenSetThenShortcut) {
                 .code,
             0);
   Params expected;
-  expected.ta = 0.1;
-  expected.tp = 0.2;
+  expected.ambient_temperature = 0.1;
+  expected.preferred_temperature = 0.2;
   expected.steps = 2;
   expected.seed = 4;
   EXPECT_EQ(io::params_of_file(scratch_.path("m.csv")), expected);

@@ -1,8 +1,8 @@
 // The command line of every verb, as a user sees it.
 #include <gmock/gmock.h>
 
-#include "engine/params.h"
 #include "program.h"
+#include "pupflow/parameters.h"
 #include "tests/support/scratch.h"
 
 namespace pupflow {

@@ -18,7 +18,7 @@ Params small() {
   Params p;
   p.pups = 3;
   p.face_points = 3;
-  p.ta = 0.1 + 0.2;  // a number that short text would not keep
+  p.ambient_temperature = 0.1 + 0.2;  // a number that short text would not keep
   return p;
 }
 

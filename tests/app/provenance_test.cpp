@@ -64,7 +64,7 @@ TEST(Provenance, NamesTheVersion) {
 TEST(Provenance, AFileWithoutAParameterMeansWhatItsVersionDid) {
   Params params;
   params.contact = ContactRule::mean;
-  params.beta = 0.25;
+  params.deformation = 0.25;
   TextEntries entries = provenance(params);
   std::erase_if(entries, [](const auto& e) { return e.first == "contact" || e.first == "beta"; });
   testing::internal::CaptureStderr();
@@ -73,7 +73,7 @@ TEST(Provenance, AFileWithoutAParameterMeansWhatItsVersionDid) {
             "pupflow: note: old.csv was written by an older version; taking beta = 0.5, contact = "
             "sum\n");
   EXPECT_EQ(taken.contact, ContactRule::sum);  // what ran before there was a choice
-  EXPECT_EQ(taken.beta, 0.5);                  // the default
+  EXPECT_EQ(taken.deformation, 0.5);           // the default
 }
 
 TEST(Provenance, RefusesWhatIsNotOursOrWrong) {

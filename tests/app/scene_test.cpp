@@ -27,7 +27,7 @@ TEST(Scene, SetsWhatItNamesAndNothingElse) {
       problems);
   EXPECT_THAT(problems, IsEmpty());
   Params expected;
-  expected.ta = 1;
+  expected.ambient_temperature = 1;
   expected.seed = 9007199254740991;
   expected.heat = HeatRule::euler;
   EXPECT_EQ(scene.params, expected);

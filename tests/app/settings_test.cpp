@@ -21,11 +21,11 @@ TEST(Settings, LaterSourcesWin) {
   settings.precision = "float";
   const io::Setup setup = set_up(settings);
   Params expected;
-  expected.ta = 0.1;   // the scene's
-  expected.tp = 0.2;   // --set over the scene
-  expected.g = 8;      // the last --set
-  expected.seed = 4;   // --seed over --set
-  expected.steps = 2;  // the scene's
+  expected.ambient_temperature = 0.1;    // the scene's
+  expected.preferred_temperature = 0.2;  // --set over the scene
+  expected.thermogenesis = 8;            // the last --set
+  expected.seed = 4;                     // --seed over --set
+  expected.steps = 2;                    // the scene's
   expected.precision = Precision::float_;
   EXPECT_EQ(setup.params, expected);
   EXPECT_EQ(setup.title, "S");
@@ -34,7 +34,7 @@ TEST(Settings, LaterSourcesWin) {
 TEST(Settings, LikeTakesAllParametersOfAFile) {
   const test::Scratch scratch;
   Params params;
-  params.ta = 0.123456789012345678;
+  params.ambient_temperature = 0.123456789012345678;
   params.seed = 77;
   MetricsCsv(scratch.path("m.csv"), false, params).file().commit();
   Settings settings;

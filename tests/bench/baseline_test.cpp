@@ -6,7 +6,7 @@
 
 #include "bench/paper_manner.h"
 #include "bench/plain_eigen.h"
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 namespace {
@@ -30,7 +30,7 @@ PlainEigen<float> eigen_in_float(const Snapshot& s) {
 /// A litter that huddles: twelve pups, many of which touch each other, the floor and the wall.
 Simulation huddle(Precision precision) {
   Params params;
-  params.ta = 0.2;
+  params.ambient_temperature = 0.2;
   params.precision = precision;
   Simulation simulation(params);
   EXPECT_TRUE(simulation.run(500).ok());
@@ -108,7 +108,7 @@ TEST(Baselines, RefuseWhatTheyDoNotStep) {
   params.integrator = Integrator::explicit_;
   EXPECT_THROW(all_pairs(Simulation(params).snapshot()), std::invalid_argument);
   params = {};
-  params.beta = 0.95;
+  params.deformation = 0.95;
   EXPECT_THROW(with_bounds(Simulation(params).snapshot()), std::invalid_argument);
   params = {};
   params.heat = HeatRule::euler;

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "engine/metrics.h"
-#include "engine/simulation.h"
+#include "pupflow/observer.h"
+#include "pupflow/simulation.h"
 
 namespace {
 
@@ -73,7 +73,7 @@ TEST(Allocation, NoneInAStepAfterWarmUp) {
     for (const double ta : {0.2, 0.8}) {
       Params p;
       p.precision = precision;
-      p.ta = ta;
+      p.ambient_temperature = ta;
       EXPECT_EQ(allocations_of(p, 1, 5, 1000), 0) << ta;  // through the fall and the landing
     }
   }
@@ -90,7 +90,7 @@ TEST(Allocation, NoneWithManyPupsAndThreads) {
 
 TEST(Allocation, NoneForRigidOrExplicitBodies) {
   Params rigid;
-  rigid.beta = 0;
+  rigid.deformation = 0;
   rigid.heading = Heading::body;
   EXPECT_EQ(allocations_of(rigid, 1, 5, 300), 0);
   Params direct;

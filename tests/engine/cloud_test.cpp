@@ -1,4 +1,5 @@
 #include "engine/cloud.h"
+#include "pupflow/geometry.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "engine/cloud.h"
 #include "engine/rng.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow {
 namespace {

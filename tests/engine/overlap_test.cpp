@@ -1,10 +1,11 @@
-#include "engine/overlap.h"
+#include "pupflow/overlap.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "pupflow/geometry.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {

@@ -5,9 +5,9 @@
 #include <functional>
 #include <ostream>
 
-#include "engine/plan.h"
 #include "engine/shape_match.h"
-#include "engine/simulation.h"
+#include "pupflow/plan.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow {
 namespace {
@@ -66,92 +66,96 @@ const std::vector<Omission> kOmissions{
        p.heading = Heading::body;
      },
      kSteering, false},
-    {"no_sensitivity", [](Params& p) { p.sigma = 0; }, kSteering},
-    {"no_gain", [](Params& p) { p.v = 0; }, kSteering},
+    {"no_sensitivity", [](Params& p) { p.sensitivity = 0; }, kSteering},
+    {"no_gain", [](Params& p) { p.steering_gain = 0; }, kSteering},
     {"no_gain_extreme",
      [](Params& p) {
-       p.v = p.k1 = p.k2 = p.g = 0;
-       p.ta = -1.7e308;
-       p.tb0 = 1.7e308;
+       p.steering_gain = p.air_conductance = p.contact_conductance = p.thermogenesis = 0;
+       p.ambient_temperature = -1.7e308;
+       p.initial_temperature = 1.7e308;
      },
      kSteering},
-    {"no_heat", [](Params& p) { p.k1 = p.k2 = p.g = 0; }, kHeat},
+    {"no_heat", [](Params& p) { p.air_conductance = p.contact_conductance = p.thermogenesis = 0; },
+     kHeat},
     {"no_heat_by_euler",
      [](Params& p) {
-       p.k1 = p.k2 = p.g = 0;
+       p.air_conductance = p.contact_conductance = p.thermogenesis = 0;
        p.heat = HeatRule::euler;
      },
      kHeat},
     {"no_heat_extreme",
      [](Params& p) {
-       p.k1 = p.k2 = p.g = 0;
-       p.ta = -1.7e308;
-       p.tb0 = 1.7e308;
+       p.air_conductance = p.contact_conductance = p.thermogenesis = 0;
+       p.ambient_temperature = -1.7e308;
+       p.initial_temperature = 1.7e308;
      },
      kHeat},
-    {"rigid", [](Params& p) { p.beta = 0; }, part(Part::quadratic)},
+    {"rigid", [](Params& p) { p.deformation = 0; }, part(Part::quadratic)},
     {"stiff_and_rigid",
      [](Params& p) {
-       p.alpha = 1;
-       p.beta = 0;
+       p.rigidity = 1;
+       p.deformation = 0;
      },
      part(Part::quadratic)},
     {"rigid_in_finer_steps",
      [](Params& p) {
-       p.beta = 0;
+       p.deformation = 0;
        p.dt = 0.004;
        p.refinement = Refinement::consistent;
      },
      part(Part::quadratic)},
     {"no_goals_in_finer_steps",
      [](Params& p) {
-       p.alpha = 0;
+       p.rigidity = 0;
        p.dt = 0.004;
        p.refinement = Refinement::consistent;
      },
      kAllOfShapeMatch},
-    {"no_goals", [](Params& p) { p.alpha = 0; }, kShapeMatch},
-    {"no_goals_quadratic", [](Params& p) { p.alpha = 0; }, kAllOfShapeMatch},
+    {"no_goals", [](Params& p) { p.rigidity = 0; }, kShapeMatch},
+    {"no_goals_quadratic", [](Params& p) { p.rigidity = 0; }, kAllOfShapeMatch},
     {"no_goals_rigid",
      [](Params& p) {
-       p.alpha = 0;
-       p.beta = 0;
+       p.rigidity = 0;
+       p.deformation = 0;
      },
      kAllOfShapeMatch},
     {"no_goals_explicit",
      [](Params& p) {
-       p.alpha = 0;
+       p.rigidity = 0;
        p.integrator = Integrator::explicit_;
      },
      kAllOfShapeMatch},
-    {"nobody_reads_exposure", [](Params& p) { p.drive = p.k1 = p.k2 = 0; }, part(Part::exposure)},
-    {"nobody_reads_owners", [](Params& p) { p.drive = p.k2 = 0; }, part(Part::owners)},
+    {"nobody_reads_exposure",
+     [](Params& p) { p.drive = p.air_conductance = p.contact_conductance = 0; },
+     part(Part::exposure)},
+    {"nobody_reads_owners", [](Params& p) { p.drive = p.contact_conductance = 0; },
+     part(Part::owners)},
     {"nobody_reads_pairs", [](Params&) {}, part(Part::pairs)},
     {"nobody_reads_pairs_of_means", [](Params& p) { p.contact = ContactRule::mean; },
      part(Part::pairs)},
     {"nobody_reads_owners_of_sums",
      [](Params& p) {
-       p.drive = p.k2 = 0;
+       p.drive = p.contact_conductance = 0;
        p.contact = ContactRule::sum;
      },
      part(Part::owners)},
     {"no_sensitivity_by_the_body",
      [](Params& p) {
-       p.sigma = 0;
+       p.sensitivity = 0;
        p.heading = Heading::body;
      },
      part(Part::turn)},
     {"no_gain_by_the_body",
      [](Params& p) {
-       p.v = 0;
+       p.steering_gain = 0;
        p.heading = Heading::body;
      },
      part(Part::turn)},
     {"no_gain_by_the_body_extreme",
      [](Params& p) {
-       p.v = p.k1 = p.k2 = p.g = 0;
-       p.ta = -1.7e308;
-       p.tb0 = 1.7e308;
+       p.steering_gain = p.air_conductance = p.contact_conductance = p.thermogenesis = 0;
+       p.ambient_temperature = -1.7e308;
+       p.initial_temperature = 1.7e308;
        p.heading = Heading::body;
      },
      part(Part::turn)},
@@ -161,45 +165,50 @@ const std::vector<Omission> kOmissions{
        p.heading = Heading::body;
      },
      part(Part::turn)},
-    {"no_heat_between_pups", [](Params& p) { p.k2 = 0; }, part(Part::mean_temperature)},
+    {"no_heat_between_pups", [](Params& p) { p.contact_conductance = 0; },
+     part(Part::mean_temperature)},
     {"no_heat_between_pups_by_euler",
      [](Params& p) {
-       p.k2 = 0;
+       p.contact_conductance = 0;
        p.heat = HeatRule::euler;
      },
      part(Part::mean_temperature)},
     {"no_heat_between_pups_extreme",
      [](Params& p) {
-       p.k2 = p.g = 0;
-       p.k1 = 1e160;
-       p.ta = -1.7e308;
-       p.tb0 = 1.7e308;
+       p.contact_conductance = p.thermogenesis = 0;
+       p.air_conductance = 1e160;
+       p.ambient_temperature = -1.7e308;
+       p.initial_temperature = 1.7e308;
      },
      part(Part::mean_temperature)},
     {"one_pup_heat", [](Params& p) { p.pups = 1; }, part(Part::mean_temperature)},
-    {"thermogenesis_alone", [](Params& p) { p.k1 = p.k2 = 0; }, part(Part::mean_temperature)},
-    {"free", [](Params& p) { p.beta = 1; }, part(Part::rotation)},
+    {"thermogenesis_alone", [](Params& p) { p.air_conductance = p.contact_conductance = 0; },
+     part(Part::mean_temperature)},
+    {"free", [](Params& p) { p.deformation = 1; }, part(Part::rotation)},
     {"free_and_stiff",
      [](Params& p) {
-       p.beta = 1;
-       p.alpha = 1;
+       p.deformation = 1;
+       p.rigidity = 1;
      },
      part(Part::rotation)},
     {"free_in_finer_steps",
      [](Params& p) {
-       p.beta = 1;
+       p.deformation = 1;
        p.dt = 0.004;
        p.refinement = Refinement::consistent;
      },
      part(Part::rotation)},
     {"free_explicit",
      [](Params& p) {
-       p.beta = 1;
-       p.alpha = 0.1;
+       p.deformation = 1;
+       p.rigidity = 0.1;
        p.integrator = Integrator::explicit_;
      },
      part(Part::rotation)},
-    {"a_quiet_rigid_litter", [](Params& p) { p.drive = p.k1 = p.k2 = p.g = p.beta = 0; },
+    {"a_quiet_rigid_litter",
+     [](Params& p) {
+       p.drive = p.air_conductance = p.contact_conductance = p.thermogenesis = p.deformation = 0;
+     },
      everything, false},
 };
 
@@ -215,7 +224,7 @@ struct Forced : testing::TestWithParam<std::tuple<Omission, Precision>> {};
 TEST_P(Forced, StagesThatAreLeftOutWouldChangeNoBit) {
   const Omission& omission = std::get<0>(GetParam());
   Params p;
-  p.ta = 0.2;
+  p.ambient_temperature = 0.2;
   p.precision = std::get<1>(GetParam());
   omission.edit(p);
   Simulation lean(p), forced(p);
@@ -270,15 +279,16 @@ bool same_bits_when_forced(const Params& p, int steps) {
 }
 
 TEST(Plan, WhateverIsSwitchedOffLeavingOutChangesNoBit) {
-  double Params::*const switches[] = {&Params::drive, &Params::k1,    &Params::k2,
-                                      &Params::g,     &Params::sigma, &Params::v,
-                                      &Params::alpha, &Params::beta,  &Params::gravity};
+  double Params::*const switches[] = {
+      &Params::drive,         &Params::air_conductance, &Params::contact_conductance,
+      &Params::thermogenesis, &Params::sensitivity,     &Params::steering_gain,
+      &Params::rigidity,      &Params::deformation,     &Params::gravity};
   for (int off = 0; off < 1 << std::size(switches); ++off) {
     Params p;
     p.pups = 3;
     p.face_points = 3;
     p.arena_radius = 0.4;  // so small that they fall upon each other
-    p.ta = 0.2;
+    p.ambient_temperature = 0.2;
     p.heading = off % 2 == 0 ? Heading::course : Heading::body;
     p.precision = off % 3 == 0 ? Precision::float_ : Precision::double_;
     p.refinement = off % 5 == 0 ? Refinement::consistent : Refinement::naive;
@@ -286,7 +296,7 @@ TEST(Plan, WhateverIsSwitchedOffLeavingOutChangesNoBit) {
     for (std::size_t i = 0; i < std::size(switches); ++i) {
       if ((off >> i & 1) != 0) p.*switches[i] = 0;
     }
-    if (off % 7 == 0 && p.beta > 0) p.beta = 1;
+    if (off % 7 == 0 && p.deformation > 0) p.deformation = 1;
     EXPECT_TRUE(same_bits_when_forced(p, 150)) << "switches off: " << off;
   }
 }

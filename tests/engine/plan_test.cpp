@@ -1,8 +1,8 @@
-#include "engine/plan.h"
+#include "pupflow/plan.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow {
 namespace {
@@ -20,21 +20,24 @@ TEST(Plan, ThePapersLitterNeedsEverything) {
 }
 
 TEST(Plan, LeavesOutWhatASceneDoesNotNeed) {
-  EXPECT_FALSE(plan_of([](Params& p) { p.beta = 0; }).has(Part::quadratic));
-  EXPECT_FALSE(plan_of([](Params& p) { p.beta = 1; }).has(Part::rotation));
-  EXPECT_FALSE(plan_of([](Params& p) { p.k2 = 0; }).has(Part::mean_temperature));
-  EXPECT_FALSE(plan_of([](Params& p) { p.alpha = 0; }).has(Stage::shape_match));
+  EXPECT_FALSE(plan_of([](Params& p) { p.deformation = 0; }).has(Part::quadratic));
+  EXPECT_FALSE(plan_of([](Params& p) { p.deformation = 1; }).has(Part::rotation));
+  EXPECT_FALSE(plan_of([](Params& p) { p.contact_conductance = 0; }).has(Part::mean_temperature));
+  EXPECT_FALSE(plan_of([](Params& p) { p.rigidity = 0; }).has(Stage::shape_match));
   EXPECT_FALSE(plan_of([](Params& p) { p.pups = 1; }).has(Stage::contact));
   EXPECT_FALSE(plan_of([](Params& p) { p.drive = 0; }).has(Stage::steering));
-  EXPECT_FALSE(plan_of([](Params& p) { p.k1 = p.k2 = p.g = 0; }).has(Stage::heat));
-  EXPECT_TRUE(plan_of([](Params& p) { p.k1 = p.k2 = 0; }).has(Stage::heat));
+  EXPECT_FALSE(plan_of([](Params& p) {
+                 p.air_conductance = p.contact_conductance = p.thermogenesis = 0;
+               }).has(Stage::heat));
+  EXPECT_TRUE(
+      plan_of([](Params& p) { p.air_conductance = p.contact_conductance = 0; }).has(Stage::heat));
   const Plan nobody = plan_of([](Params& p) { p.pups = 0; });
   for (const bool needed : nobody.stages) EXPECT_FALSE(needed);
   for (const bool needed : nobody.parts) EXPECT_FALSE(needed);
 }
 
 TEST(Plan, WhereNobodyTurnsABodyStillHasADirection) {
-  for (double Params::*const cause : {&Params::v, &Params::sigma}) {
+  for (double Params::*const cause : {&Params::steering_gain, &Params::sensitivity}) {
     Params p;
     p.*cause = 0;
     EXPECT_FALSE(make_plan(p, true).has(Stage::steering));
@@ -60,8 +63,8 @@ TEST(Plan, ContactsRecordWhatSomebodyReads) {
                         {0, 0, 0, true, {true, true, true}}}) {
     Params p;
     p.drive = c.drive;
-    p.k1 = c.k1;
-    p.k2 = c.k2;
+    p.air_conductance = c.k1;
+    p.contact_conductance = c.k2;
     const Plan plan = make_plan(p, c.observed);
     const std::array<bool, 3> found{plan.has(Part::exposure), plan.has(Part::owners),
                                     plan.has(Part::pairs)};
@@ -104,7 +107,7 @@ TEST(Plan, EveryDecisionHasAReason) {
 
 TEST(Plan, AWholeStageHasThePartsThatTheSceneWouldNeed) {
   Params p;
-  p.alpha = p.beta = 0;
+  p.rigidity = p.deformation = 0;
   const Plan match = whole_stage(Stage::shape_match, p, false);
   EXPECT_TRUE(match.has(Stage::shape_match));
   EXPECT_TRUE(match.has(Part::rotation));
@@ -122,8 +125,8 @@ struct Counter : StageListener {
 TEST(Plan, TheStepRunsThePlanAndNothingElse) {
   Params p;
   p.drive = 0;
-  p.k1 = p.k2 = p.g = 0;
-  p.alpha = 0;
+  p.air_conductance = p.contact_conductance = p.thermogenesis = 0;
+  p.rigidity = 0;
   Simulation s(p);
   Counter counter;
   for (int i = 0; i < 5; ++i) s.step(&counter);
@@ -134,7 +137,7 @@ TEST(Plan, TheStepRunsThePlanAndNothingElse) {
 
 TEST(Plan, JoinedHasWhatEitherHas) {
   Params p;
-  p.drive = p.k1 = p.k2 = p.g = p.beta = 0;
+  p.drive = p.air_conductance = p.contact_conductance = p.thermogenesis = p.deformation = 0;
   const Plan plan = make_plan(p, false);
   EXPECT_EQ(joined(plan, {}), plan);
   Plan more;
@@ -153,7 +156,7 @@ TEST(Plan, JoinedHasWhatEitherHas) {
 TEST(Plan, PartsOfAStageThatIsOutAreOutToo) {
   Params p;
   p.pups = 1;
-  p.alpha = 0;
+  p.rigidity = 0;
   Plan more;
   for (const Part part : {Part::exposure, Part::owners, Part::pairs, Part::turn, Part::rotation,
                           Part::quadratic, Part::mean_temperature}) {
@@ -164,7 +167,7 @@ TEST(Plan, PartsOfAStageThatIsOutAreOutToo) {
 
 TEST(Plan, ObservingCanChangeBetweenAnyTwoSteps) {
   Params p;
-  p.ta = 0.2;
+  p.ambient_temperature = 0.2;
   Simulation watched(p), now_and_then(p);
   for (int step = 0; step < 400; ++step) {
     const bool look = step % 7 == 3 || step % 2 == 0;
@@ -184,7 +187,7 @@ TEST(Plan, ObservingCanChangeBetweenAnyTwoSteps) {
 
 TEST(Plan, WhatNobodyReadsStaysAsItWas) {
   Params p;
-  p.ta = 0.2;
+  p.ambient_temperature = 0.2;
   Simulation s(p);
   s.set_observed(false);
   s.run(400);
@@ -203,7 +206,7 @@ TEST(Plan, ForcingEndsWithAnEmptyPlanAndOutlivesNewParameters) {
   more.add(Stage::steering);
   s.force_plan(more);
   EXPECT_TRUE(s.plan().has(Stage::steering));
-  p.ta = 0.1;
+  p.ambient_temperature = 0.1;
   s.set_params(p);
   s.set_observed(false);
   EXPECT_TRUE(Simulation(s).plan().has(Stage::steering));

@@ -9,7 +9,9 @@
 #include <complex>
 #include <functional>
 
+#include "engine/cloud.h"
 #include "engine/shape_match.h"
+#include "pupflow/geometry.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {
@@ -75,7 +77,7 @@ const Mode kModesToTry[] = {{"bend, not fitted", bend, 0, 1},
 
 Params refined(const Mode& mode, double dt) {
   Params p = testing::weightless();
-  p.beta = mode.beta;
+  p.deformation = mode.beta;
   p.dt = dt;
   p.refinement = Refinement::consistent;
   return p;
@@ -165,7 +167,7 @@ struct FreeBody {
   }
   void step(const StepBody& body) {
     predict(params, state, 0);
-    match_shape(params, body, {params.beta > 0, true}, cloud, state, 0);
+    match_shape(params, body, {params.deformation > 0, true}, cloud, state, 0);
   }
   Eigen::Vector3d position(int i) const { return {state.x[i], state.y[i], state.z[i]}; }
   Eigen::Vector3d velocity(int i) const { return {state.vx[i], state.vy[i], state.vz[i]}; }
@@ -228,7 +230,7 @@ TEST(Refinement, AStepIsDampingThenPredictionThenMatching) {
     Params p = testing::weightless();
     p.refinement = Refinement::consistent;
     p.dt = 0.002;
-    p.beta = beta;
+    p.deformation = beta;
     const StepBody body = step_body(p);
     ASSERT_TRUE(body.damps());
     FreeBody folded = lively(p), plain = lively(p);
@@ -257,7 +259,7 @@ TEST(Refinement, HasTheSameBitsForEveryInstructionSet) {
     for (const double beta : {0.0, 0.5}) {
       Params p;
       p.pups = 4;
-      p.beta = beta;
+      p.deformation = beta;
       p.dt = 0.005;
       p.precision = precision;
       p.refinement = Refinement::consistent;
@@ -280,7 +282,7 @@ TEST(Refinement, RefusesWhatHasNoFinerForm) {
   EXPECT_NE(check(p)[0].message.find("at most 0.01"), std::string::npos) << check(p)[0].message;
   p.dt = 0.005;
   EXPECT_TRUE(check(p).empty());
-  p.alpha = 1;
+  p.rigidity = 1;
   ASSERT_EQ(check(p).size(), 1u);
   EXPECT_NE(check(p)[0].message.find("alpha must be below 1"), std::string::npos);
   p.integrator = Integrator::explicit_;  // no damping, so even alpha = 1 has a limit

@@ -5,7 +5,9 @@
 
 #include <cmath>
 
+#include "engine/cloud.h"
 #include "engine/rng.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow {
 namespace {
@@ -110,7 +112,7 @@ TYPED_TEST(Goals, KeepTheCentreOfMass) {
     return sum;
   };
   Params params;
-  params.alpha = 1;  // points end on their goals
+  params.rigidity = 1;  // points end on their goals
   const Eigen::Vector3d before = centre();
   match_shape(params, step_body(params), {}, cloud, state, 0);
   EXPECT_LT((centre() - before).norm(), sizeof(TypeParam) == 4 ? 2e-7 : 5e-15);

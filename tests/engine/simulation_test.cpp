@@ -1,4 +1,4 @@
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST(Simulation, ACopyIsASnapshotThatGoesOnAlike) {
 
 TEST(Simulation, CopiesShareNothing) {
   Params p;
-  p.ta = 0.2;
+  p.ambient_temperature = 0.2;
   auto original = std::make_unique<Simulation>(p);
   original->run(400);
   Simulation a = *original, b = *original;
@@ -76,7 +76,7 @@ TEST(Simulation, ASnapshotGoesOnBitForBit) {
   for (const Precision precision : {Precision::float_, Precision::double_}) {
     Params p;
     p.precision = precision;
-    p.ta = 0.2;
+    p.ambient_temperature = 0.2;
     Simulation a(p);
     a.run(400);
     Simulation b(a.snapshot());
@@ -103,12 +103,12 @@ TEST(Simulation, ASnapshotThatDoesNotFitIsRefused) {
   refuse([](Snapshot& s) { s.touched[5] = 12; });
   refuse([](Snapshot& s) { s.touching.push_back({3, 2}); });
   refuse([](Snapshot& s) { s.params.pups = 11; });
-  refuse([](Snapshot& s) { s.params.alpha = 2; });
+  refuse([](Snapshot& s) { s.params.rigidity = 2; });
 }
 
 TEST(Simulation, UnsoundParametersAreRefusedWhole) {
   Params p;
-  p.alpha = 3;
+  p.rigidity = 3;
   p.pups = -1;
   try {
     const Simulation s(p);
@@ -135,14 +135,14 @@ TEST(Simulation, LitterParametersCannotChangeInFlight) {
   p.pups = 5;
   EXPECT_THROW(s.set_params(p), std::logic_error);
   p = Params{};
-  p.alpha = 7;
+  p.rigidity = 7;
   EXPECT_THROW(s.set_params(p), InvalidParams);
   EXPECT_EQ(s.params(), Params{});
 }
 
 TEST(Simulation, TimeGathersNoRounding) {
   Params p = testing::weightless();
-  p.alpha = 0;
+  p.rigidity = 0;
   Simulation s(p);
   s.run(501);
   EXPECT_EQ(s.time(), 5.01);

@@ -1,4 +1,3 @@
-#include "engine/start.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "pupflow/geometry.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {

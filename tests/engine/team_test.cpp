@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow {
 namespace {
@@ -88,7 +88,7 @@ Params crowd(Precision precision) {
   p.face_points = 4;
   p.arena_radius = 4;  // they lie in two layers and touch
   p.start = Start::carpet;
-  p.ta = 0.2;
+  p.ambient_temperature = 0.2;
   p.precision = precision;
   return p;
 }

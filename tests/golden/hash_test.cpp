@@ -2,14 +2,14 @@
 // arithmetic changes these numbers; it must be meant, and the changelog must say so.
 #include <gtest/gtest.h>
 
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow {
 namespace {
 
 std::uint64_t hash_after(void (*edit)(Params&)) {
   Params p;
-  p.ta = 0.2;
+  p.ambient_temperature = 0.2;
   edit(p);
   const auto sets = supported_instruction_sets();
   std::uint64_t hash = 0;
@@ -56,8 +56,8 @@ TEST(Golden, BodyHeadingAndEulerHeat) {
 
 TEST(Golden, RigidPupsOnACarpet) {
   EXPECT_EQ(hash_after([](Params& p) {
-              p.alpha = 1;
-              p.beta = 0;
+              p.rigidity = 1;
+              p.deformation = 0;
               p.pups = 40;
               p.start = Start::carpet;
               p.precision = Precision::float_;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/metrics.h"
 #include "engine/rng.h"
+#include "pupflow/observer.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {
@@ -77,7 +77,7 @@ TEST(Boundary, ADrivenLitterStaysInTheArena) {
   // After a step points may dip below the floor by one step's fall, and lean over the wall as far
   // as a pup's deformation lets them while its push turns the others.
   Params p;
-  p.ta = 0.9;
+  p.ambient_temperature = 0.9;
   p.drive = 2;
   Simulation s(p);
   double lowest = 0, furthest = 0;

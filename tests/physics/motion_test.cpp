@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "engine/cloud.h"
+#include "pupflow/geometry.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {
@@ -21,8 +23,8 @@ TEST_P(Falling, FollowsTheDiscreteLawOfFreeFall) {
   Params p;
   p.pups = 1;
   p.drive = 0;
-  p.alpha = GetParam().alpha;
-  p.beta = GetParam().beta;
+  p.rigidity = GetParam().alpha;
+  p.deformation = GetParam().beta;
   p.precision = GetParam().precision;
   Simulation s(p);
   Points points, still(294, Eigen::Vector3d::Zero());
@@ -57,8 +59,8 @@ TEST(Motion, ADriveAloneAcceleratesAlongTheHeading) {
 TEST(Motion, RigidPupsKeepAllDistances) {
   Params p;
   p.pups = 1;
-  p.alpha = 1;
-  p.beta = 0;
+  p.rigidity = 1;
+  p.deformation = 0;
   Simulation s(p);
   const Points rest = testing::all_positions(s);
   s.run(300);  // falls, lands, rolls
@@ -73,8 +75,8 @@ TEST(Motion, RigidPupsKeepAllDistances) {
 TEST(Motion, ASqueezedPupRingsDownAtTheRateOfTheTheory) {
   // A mode outside the fitted ones sees the full alpha: |lambda| = sqrt(1 - alpha) a step.
   Params p = testing::weightless();
-  p.beta = 0;
-  p.alpha = 0.7;
+  p.deformation = 0;
+  p.rigidity = 0.7;
   Simulation s(p);
   const auto rest = cube_sphere(7, 0.25);
   const auto cloud = make_cloud<double>(rest);
@@ -88,8 +90,8 @@ TEST(Motion, ASqueezedPupRingsDownAtTheRateOfTheTheory) {
   for (int m = 0; m < 40; ++m) {
     s.step();
     const double predicted = d + p.dt * v;
-    d = (1 - p.alpha) * predicted;
-    v -= p.alpha / p.dt * predicted;
+    d = (1 - p.rigidity) * predicted;
+    v -= p.rigidity / p.dt * predicted;
     double amplitude = 0;
     const Points now = testing::all_positions(s);
     for (std::size_t i = 0; i < rest.size(); ++i) amplitude += now[i].z() * cloud.mode_row(4)[i];
@@ -121,7 +123,7 @@ TEST(Motion, TheExplicitFormOfThePaperHasNoDamping) {
   // rest.
   const auto energy_left = [](Integrator integrator) {
     Params p = testing::weightless();
-    p.beta = 0;
+    p.deformation = 0;
     p.integrator = integrator;
     Simulation s(p);
     Points points;

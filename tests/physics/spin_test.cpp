@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "pupflow/geometry.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {
@@ -14,8 +15,8 @@ using testing::Points;
 
 Simulation spinning(double alpha, double beta, double omega) {
   Params p = testing::weightless();
-  p.alpha = alpha;
-  p.beta = beta;
+  p.rigidity = alpha;
+  p.deformation = beta;
   Simulation s(p);
   Points points, velocities;
   for (const auto& q : cube_sphere(7, 0.25)) {

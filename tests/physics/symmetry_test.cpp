@@ -55,7 +55,7 @@ Simulation lifted(Simulation s) {
 TEST(Symmetry, RelabellingPupsChangesOnlyRounding) {
   for (const Heading heading : {Heading::course, Heading::body}) {
     Params p;
-    p.ta = 0.2;
+    p.ambient_temperature = 0.2;
     p.heading = heading;
     Simulation s = lifted(settled(p));
     const auto from = [&](int pup) { return (5 * pup + 3) % p.pups; };
@@ -83,7 +83,7 @@ void expect_turned(const Simulation& s, const Simulation& other, double angle) {
 TEST(Symmetry, TurningTheSceneTurnsTheResult) {
   for (const Heading heading : {Heading::course, Heading::body}) {
     Params p;
-    p.ta = 0.2;
+    p.ambient_temperature = 0.2;
     p.heading = heading;
     p.arena_radius = 100;  // nobody meets the wall, whose rule is no circle's
     Simulation s = settled(p);
@@ -97,7 +97,7 @@ TEST(Symmetry, TurningTheSceneTurnsTheResult) {
 
 TEST(Symmetry, TheWallAllowsQuarterTurns) {
   Params p;
-  p.ta = 0.2;
+  p.ambient_temperature = 0.2;
   p.arena_radius = 0.9;  // everybody leans against it
   Simulation s = settled(p);
   Simulation other = rearranged(

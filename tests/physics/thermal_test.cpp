@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "pupflow/geometry.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {
@@ -14,28 +15,30 @@ using testing::Points;
 TEST(Thermal, AnIsolatedPupFollowsTheClosedForm) {
   Params p;
   p.pups = 1;
-  p.tb0 = 0.9;
+  p.initial_temperature = 0.9;
   Simulation s(p);
-  const double settled = p.ta + p.g / p.k1;
+  const double settled = p.ambient_temperature + p.thermogenesis / p.air_conductance;
   for (int m = 1; m <= 2000; ++m) {
     s.step();
-    const double expected = settled + (p.tb0 - settled) * std::exp(-p.k1 * p.dt * m);
+    const double expected =
+        settled + (p.initial_temperature - settled) * std::exp(-p.air_conductance * p.dt * m);
     ASSERT_NEAR(s.body_temperature()[0], expected, 1e-13) << m;
   }
-  EXPECT_NEAR(s.body_temperature()[0], p.ta + 0.0611, 5e-5);
+  EXPECT_NEAR(s.body_temperature()[0], p.ambient_temperature + 0.0611, 5e-5);
 }
 
 TEST(Thermal, EulerConvergesToItAtFirstOrder) {
   const auto error = [](double dt) {
     Params p;
     p.pups = 1;
-    p.tb0 = 0.9;
+    p.initial_temperature = 0.9;
     p.heat = HeatRule::euler;
     p.dt = dt;
     Simulation s(p);
     s.run(std::lround(1 / dt));
-    const double settled = p.ta + p.g / p.k1;
-    return s.body_temperature()[0] - (settled + (p.tb0 - settled) * std::exp(-p.k1));
+    const double settled = p.ambient_temperature + p.thermogenesis / p.air_conductance;
+    return s.body_temperature()[0] -
+           (settled + (p.initial_temperature - settled) * std::exp(-p.air_conductance));
   };
   EXPECT_NEAR(error(0.01) / error(0.005), 2, 0.02);
 }
@@ -61,8 +64,8 @@ Simulation mirrored_pair(const Params& p) {
 TEST(Thermal, TouchingPupsExchangeEqualAmounts) {
   Params p = testing::weightless();
   p.pups = 2;
-  p.g = 0;
-  p.k1 = 0;  // nothing but exchange
+  p.thermogenesis = 0;
+  p.air_conductance = 0;  // nothing but exchange
   Simulation s = mirrored_pair(p);
   s.set_body_temperature(0, 0.8);
   s.set_body_temperature(1, 0.4);
@@ -73,17 +76,17 @@ TEST(Thermal, TouchingPupsExchangeEqualAmounts) {
   EXPECT_GT(lost, 0);
   EXPECT_NEAR(lost, gained, 1e-15);
   const double area = 1 - s.exposed()[0];
-  EXPECT_NEAR(lost, 0.4 * (1 - std::exp(-p.k2 * area * p.dt)), 1e-15);
+  EXPECT_NEAR(lost, 0.4 * (1 - std::exp(-p.contact_conductance * area * p.dt)), 1e-15);
 }
 
 TEST(Thermal, AHuddleIsWarmerThanAPupAlone) {
   Params p;
-  p.ta = 0.1;
+  p.ambient_temperature = 0.1;
   Simulation s(p);
   s.run(1500);
   double mean = 0;
   for (const double tb : s.body_temperature()) mean += tb / p.pups;
-  EXPECT_GT(mean, p.ta + p.g / p.k1 + 0.01);
+  EXPECT_GT(mean, p.ambient_temperature + p.thermogenesis / p.air_conductance + 0.01);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // The paper's result in small: huddling in the cold, dispersal in the warm.
 #include <gtest/gtest.h>
 
-#include "engine/metrics.h"
+#include "pupflow/observer.h"
 
 namespace pupflow {
 namespace {
@@ -11,7 +11,7 @@ Observables mean_over_seeds(double ta, Precision precision) {
   Observables sum;
   for (int seed = 1; seed <= 10; ++seed) {
     Params p;
-    p.ta = ta;
+    p.ambient_temperature = ta;
     p.seed = seed;
     p.precision = precision;
     Simulation s(p);

@@ -19,7 +19,7 @@ io::Image bar_picture(const ColorScale& scale, double tp) {
   return image;
 }
 
-Rgb colour_at(const io::Image& image, int x, int y) {
+Rgb color_at(const io::Image& image, int x, int y) {
   const std::uint8_t* p = image.pixel(x, y);
   return {p[0], p[1], p[2]};
 }
@@ -28,7 +28,7 @@ Rgb colour_at(const io::Image& image, int x, int y) {
 bool has_ink(const io::Image& image, const Box& box) {
   for (int y = box.y; y < box.y + box.height; ++y) {
     for (int x = box.x; x < box.x + box.width; ++x) {
-      if (colour_at(image, x, y) != kWhite) return true;
+      if (color_at(image, x, y) != kWhite) return true;
     }
   }
   return false;
@@ -54,7 +54,7 @@ TEST(ColorBar, ShowsTheMapFromBottomToTop) {
   const ColorScale scale("viridis", 0, 1);
   const io::Image image = bar_picture(scale, 5);
   for (int row = 0; row < kBar.height; ++row) {
-    EXPECT_EQ(colour_at(image, kBar.x + 15, kBar.y + row),
+    EXPECT_EQ(color_at(image, kBar.x + 15, kBar.y + row),
               scale.map[static_cast<std::size_t>(255 - row)]);
   }
 }
@@ -66,7 +66,7 @@ TEST(ColorBar, MarksThePreferredTemperatureOnlyOnTheScale) {
   EXPECT_TRUE(has_ink(with, left));
   EXPECT_FALSE(has_ink(without, left));
   const int row = kBar.y + static_cast<int>(kBar.height * 0.4);
-  EXPECT_NE(colour_at(with, kBar.x + 15, row), colour_at(without, kBar.x + 15, row));
+  EXPECT_NE(color_at(with, kBar.x + 15, row), color_at(without, kBar.x + 15, row));
 }
 
 TEST(ColorBar, StaysWithinItsMargins) {

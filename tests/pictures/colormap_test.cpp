@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 struct Entry {
   const char* map;
   std::size_t index;
-  Rgb colour;
+  Rgb color;
 };
 
 // As published: the ends, quarters and middle that plotting programs print as hexadecimal colours.
@@ -28,18 +28,17 @@ TEST(Colormap, KnownEntries) {
       {"cividis", 0, {0x00, 0x22, 0x4e}},   {"cividis", 255, {0xfe, 0xe8, 0x38}},
       {"jet", 0, {0x00, 0x00, 0x80}},       {"jet", 255, {0x80, 0x00, 0x00}}};
   for (const Entry& entry : entries) {
-    EXPECT_TRUE(find_colormap(entry.map)[entry.index] == entry.colour)
+    EXPECT_TRUE(find_colormap(entry.map)[entry.index] == entry.color)
         << entry.map << " " << entry.index;
   }
 }
 
-double lightness(Rgb colour) {
+double lightness(Rgb color) {
   const auto linear = [](std::uint8_t byte) {
     const double c = byte / 255.0;
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
   };
-  const double y =
-      0.2126 * linear(colour.r) + 0.7152 * linear(colour.g) + 0.0722 * linear(colour.b);
+  const double y = 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
   return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
 }
 

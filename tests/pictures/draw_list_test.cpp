@@ -11,7 +11,7 @@ namespace {
 
 const ColorScale kScale("viridis", 0, 1);
 
-TEST(DrawList, HoldsEveryPointInItsPupsColour) {
+TEST(DrawList, HoldsEveryPointInItsPupsColor) {
   Params params;
   params.pups = 2;
   Simulation simulation(params);

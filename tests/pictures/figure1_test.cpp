@@ -37,16 +37,16 @@ std::vector<Span> arenas(const io::Image& image, int row) {
   std::vector<Span> spans;
   const Rgb paper{255, 255, 255};
   for (int x = 0; x < image.width; ++x) {
-    if (colour_at(image, x, row) == paper) continue;
+    if (color_at(image, x, row) == paper) continue;
     const int begin = x;
-    while (x < image.width && colour_at(image, x, row) != paper) ++x;
+    while (x < image.width && color_at(image, x, row) != paper) ++x;
     if (x - begin > 100) spans.push_back({begin, x});
   }
   return spans;
 }
 
 /// How strongly coloured a pixel is: floor, rim and paper are grey.
-bool is_coloured(Rgb c) {
+bool is_colored(Rgb c) {
   return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}) > 30;
 }
 
@@ -71,8 +71,8 @@ double temperature_shown(const io::Image& image, Span panel, int row, double& sh
   std::vector<double> places;
   for (int y = row - half; y < row + half; ++y) {
     for (int x = panel.begin; x < panel.end; ++x) {
-      const Rgb colour = colour_at(image, x, y);
-      if (is_coloured(colour)) places.push_back(place_on(view::find_colormap("viridis"), colour));
+      const Rgb color = color_at(image, x, y);
+      if (is_colored(color)) places.push_back(place_on(view::find_colormap("viridis"), color));
     }
   }
   share = static_cast<double>(places.size()) / (4.0 * half * half);
@@ -82,7 +82,7 @@ double temperature_shown(const io::Image& image, Span panel, int row, double& sh
 }
 
 double mean_tb_after_run(Params params, double ta) {
-  params.ta = ta;
+  params.ambient_temperature = ta;
   Simulation simulation(params);
   EXPECT_TRUE(simulation.run(params.steps).ok());
   const auto tb = simulation.body_temperature();
@@ -109,7 +109,7 @@ TEST(Figure1, PanelsShowTheLittersTemperatures) {
   }
 }
 
-TEST(Figure1, BarHasTheColoursOfTheMap) {
+TEST(Figure1, BarHasTheColorsOfTheMap) {
   const test::Scratch folder;
   Figure1Job job = small_job(folder);
   job.params.steps = 0;
@@ -125,8 +125,8 @@ TEST(Figure1, BarHasTheColoursOfTheMap) {
   for (int x = left; x < image.width; ++x) {
     std::vector<Rgb> column;
     for (int y = 0; y < image.height; ++y) {
-      const Rgb colour = colour_at(image, x, y);
-      if (std::ranges::find(scale.map, colour) != scale.map.end()) column.push_back(colour);
+      const Rgb color = color_at(image, x, y);
+      if (std::ranges::find(scale.map, color) != scale.map.end()) column.push_back(color);
     }
     if (static_cast<int>(column.size()) > best) {
       best = static_cast<int>(column.size());
@@ -148,7 +148,7 @@ TEST(Figure1, CarriesItsParameters) {
   Figure1Job job = small_job(folder);
   job.params.steps = 3;
   job.params.seed = 77;
-  job.params.alpha = 0.1 + 0.2;
+  job.params.rigidity = 0.1 + 0.2;
   job.ta = {0.25, 0.75};
   figure1(job);
   const auto text = io::read_png_text(job.output.path);

@@ -24,7 +24,7 @@ class GlTest : public ::testing::Test {
   std::unique_ptr<context::Context> context_;
 };
 
-inline view::Rgb colour_at(const io::Image& image, int x, int y) {
+inline view::Rgb color_at(const io::Image& image, int x, int y) {
   const std::uint8_t* p = image.pixel(x, y);
   return {p[0], p[1], p[2]};
 }

@@ -69,7 +69,7 @@ TEST(Render, CarriesParametersAndStep) {
   const test::Scratch folder;
   RenderJob job = small_job(folder);
   job.params.seed = 5;
-  job.params.ta = 0.31;
+  job.params.ambient_temperature = 0.31;
   job.camera = "orbit:10,20,9";
   render(job);
   const auto text = io::read_png_text(folder.path("0020.png"));
@@ -92,9 +92,9 @@ TEST(Render, WithoutTheBarTheArenaGetsAllTheRoom) {
     render(job);
     const io::Image image = io::read_png(folder.path("0000.png"));
     int width = 0;
-    while (width < 300 && colour_at(image, width, 150) == view::Rgb{255, 255, 255}) ++width;
+    while (width < 300 && color_at(image, width, 150) == view::Rgb{255, 255, 255}) ++width;
     const int begin = width;
-    while (width < 300 && colour_at(image, width, 150) != view::Rgb{255, 255, 255}) ++width;
+    while (width < 300 && color_at(image, width, 150) != view::Rgb{255, 255, 255}) ++width;
     return width - begin;
   };
   EXPECT_NEAR(arena_width(false), 300 / 1.04, 2);
@@ -113,7 +113,7 @@ TEST(Render, TheFrameTakesInTheWholeLitter) {
     const io::Image image = io::read_png(job.output.path);
     const view::Rgb paper{255, 255, 255};
     int pixel = 0;
-    while (colour_at(image, pixel % image.width, pixel / image.width) == paper) ++pixel;
+    while (color_at(image, pixel % image.width, pixel / image.width) == paper) ++pixel;
     return pixel / image.width;
   };
   job.params.pups = 10;

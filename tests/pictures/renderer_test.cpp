@@ -56,9 +56,9 @@ io::Image take_picture(const Simulation& simulation, const view::ColorScale& sca
 }
 
 /// Which sphere a pixel shows: 0 blue, 1 red, -1 neither.
-int sphere_in(Rgb colour) {
-  if (colour.b > 30 && colour.r == 0 && colour.g == 0) return 0;
-  if (colour.r > 30 && colour.b == 0 && colour.g == 0) return 1;
+int sphere_in(Rgb color) {
+  if (color.b > 30 && color.r == 0 && color.g == 0) return 0;
+  if (color.r > 30 && color.b == 0 && color.g == 0) return 1;
   return -1;
 }
 
@@ -91,7 +91,7 @@ int compare_with_rays(const io::Image& image, const std::vector<Vector>& centres
         if (at && *at < distance) distance = *at, nearest = static_cast<int>(i) % 2;
       }
       covered += nearest >= 0;
-      wrong += sphere_in(colour_at(image, x, y)) != nearest;
+      wrong += sphere_in(color_at(image, x, y)) != nearest;
     }
   }
   EXPECT_LE(wrong, covered / 500 + 4);  // pixels whose middle lies on an outline within rounding
@@ -149,7 +149,7 @@ TEST_F(RendererTest, ASphereCloseToTheEyeKeepsItsWholeOutline) {
   EXPECT_GT(covered, 50000);
 }
 
-TEST_F(RendererTest, MiddleOfASphereHasTheColourOfTheBar) {
+TEST_F(RendererTest, MiddleOfASphereHasTheColorOfTheBar) {
   const view::ColorScale viridis("viridis", 0, 1);
   for (const double temperature : {0.05, 0.4, 0.6, 0.95}) {
     Simulation simulation = spheres({{0, 0, 1}}, 0.3);
@@ -163,7 +163,7 @@ TEST_F(RendererTest, MiddleOfASphereHasTheColourOfTheBar) {
       const double depth = spec[0] == 't' ? 0 : 6 - 1 * std::sin(35 * kDegrees);
       const int up =
           spec[0] == 't' ? 0 : static_cast<int>(200.5 * lift / (depth * std::tan(15 * kDegrees)));
-      const Rgb seen = colour_at(image, 200, 200 - up), bar = viridis(temperature);
+      const Rgb seen = color_at(image, 200, 200 - up), bar = viridis(temperature);
       EXPECT_NEAR(seen.r, bar.r, 2) << spec << temperature;
       EXPECT_NEAR(seen.g, bar.g, 2) << spec << temperature;
       EXPECT_NEAR(seen.b, bar.b, 2) << spec << temperature;
@@ -171,7 +171,7 @@ TEST_F(RendererTest, MiddleOfASphereHasTheColourOfTheBar) {
   }
 }
 
-TEST_F(RendererTest, ShadingStaysNearTheColourOfTheBar) {
+TEST_F(RendererTest, ShadingStaysNearTheColorOfTheBar) {
   Params params;
   params.pups = 1;
   Simulation simulation(params);
@@ -183,7 +183,7 @@ TEST_F(RendererTest, ShadingStaysNearTheColourOfTheBar) {
   std::vector<int> brightness;
   for (int y = 0; y < 300; ++y) {
     for (int x = 0; x < 300; ++x) {
-      if (sphere_in(colour_at(red, x, y)) == 1) brightness.push_back(red.pixel(x, y)[0]);
+      if (sphere_in(color_at(red, x, y)) == 1) brightness.push_back(red.pixel(x, y)[0]);
     }
   }
   ASSERT_GT(brightness.size(), 5000u);
@@ -201,7 +201,7 @@ TEST_F(RendererTest, FloorRimAndBackgroundAreWhereTheyBelong) {
   const io::Image image = take_picture(Simulation(params), kJet, camera, 600, 600, 2);
   const double unit = 300 / camera.half_height();
   const auto at_radius = [&](double radius) {
-    return colour_at(image, static_cast<int>(300 + unit * radius), 300);
+    return color_at(image, static_cast<int>(300 + unit * radius), 300);
   };
   EXPECT_EQ(at_radius(0), palette.floor);
   EXPECT_EQ(at_radius(1.98), palette.floor);
@@ -220,8 +220,8 @@ TEST_F(RendererTest, EdgesOfTheArenaAreSoftWithOneSampleToo) {
   int between = 0;
   for (int y = 0; y < 300; ++y) {
     for (int x = 0; x < 300; ++x) {
-      const Rgb colour = colour_at(image, x, y);
-      between += colour != palette.floor && colour != palette.rim && colour != palette.background;
+      const Rgb color = color_at(image, x, y);
+      between += color != palette.floor && color != palette.rim && color != palette.background;
     }
   }
   EXPECT_GT(between, 500);  // two circles of some 900 pixels each
@@ -231,16 +231,16 @@ TEST_F(RendererTest, EdgesOfTheArenaAreSoftWithOneSampleToo) {
 int differing_pixels(const io::Image& a, const io::Image& b) {
   int count = 0;
   for (int y = 0; y < a.height; ++y) {
-    for (int x = 0; x < a.width; ++x) count += colour_at(a, x, y) != colour_at(b, x, y);
+    for (int x = 0; x < a.width; ++x) count += color_at(a, x, y) != color_at(b, x, y);
   }
   return count;
 }
 
 TEST_F(RendererTest, CullingChangesNoPixel) {
   Params params;
-  params.ta = 0.2;
+  params.ambient_temperature = 0.2;
   for (const double beta : {0.5, 0.9}) {
-    params.beta = beta;
+    params.deformation = beta;
     Simulation simulation(params);
     for (const std::int64_t step : {60, 140, 500}) {
       ASSERT_TRUE(simulation.run(step - simulation.steps_done()).ok());
@@ -324,11 +324,11 @@ TEST_F(RendererTest, DrawsIntoAPartOfTheBoundFramebuffer) {
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
     EXPECT_EQ(static_cast<GLuint>(bound), target.framebuffer());
     const io::Image image = target.read();
-    EXPECT_EQ(colour_at(image, 149, 100), (Rgb{0, 255, 0}));
-    EXPECT_EQ(colour_at(image, 250, 100), (Rgb{0, 255, 0}));
-    EXPECT_EQ(colour_at(image, 200, 59), (Rgb{0, 255, 0}));
-    EXPECT_EQ(colour_at(image, 200, 160), (Rgb{0, 255, 0}));
-    EXPECT_EQ(colour_at(image, 200, 110), colour_at(alone, 50, 50));
+    EXPECT_EQ(color_at(image, 149, 100), (Rgb{0, 255, 0}));
+    EXPECT_EQ(color_at(image, 250, 100), (Rgb{0, 255, 0}));
+    EXPECT_EQ(color_at(image, 200, 59), (Rgb{0, 255, 0}));
+    EXPECT_EQ(color_at(image, 200, 160), (Rgb{0, 255, 0}));
+    EXPECT_EQ(color_at(image, 200, 110), color_at(alone, 50, 50));
   }
 }
 
@@ -363,9 +363,9 @@ TEST_F(RendererTest, UploadReplacesWhatWasThere) {
   list.update(spheres({{-1, 0, 1}}, 0.3), kJet, camera);
   renderer.upload(list);
   const io::Image image = renderer.picture(camera, 100, 100, 1);
-  EXPECT_EQ(sphere_in(colour_at(image, 26, 50)), 0);
-  EXPECT_EQ(sphere_in(colour_at(image, 50, 50)), -1);
-  EXPECT_EQ(sphere_in(colour_at(image, 74, 50)), -1);
+  EXPECT_EQ(sphere_in(color_at(image, 26, 50)), 0);
+  EXPECT_EQ(sphere_in(color_at(image, 50, 50)), -1);
+  EXPECT_EQ(sphere_in(color_at(image, 74, 50)), -1);
 }
 
 TEST_F(RendererTest, RefusesAPictureLargerThanTheDriverAllows) {

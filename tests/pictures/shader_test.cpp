@@ -56,8 +56,8 @@ TEST_F(ShaderTest, AreReadFromAFolderInstead) {
   list.update(Simulation(params), view::ColorScale("viridis", 0, 1), camera);
   Renderer embedded, changed(directory());
   for (Renderer* renderer : {&embedded, &changed}) renderer->upload(list);
-  EXPECT_EQ(colour_at(embedded.picture(camera, 64, 64, 1), 32, 32), Palette{}.floor);
-  EXPECT_EQ(colour_at(changed.picture(camera, 64, 64, 1), 32, 32), (view::Rgb{0, 255, 0}));
+  EXPECT_EQ(color_at(embedded.picture(camera, 64, 64, 1), 32, 32), Palette{}.floor);
+  EXPECT_EQ(color_at(changed.picture(camera, 64, 64, 1), 32, 32), (view::Rgb{0, 255, 0}));
 }
 
 TEST_F(ShaderTest, AnErrorNamesFileAndLine) {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ensemble.h"
+#include "pupflow/ensemble.h"
 
 namespace pupflow::report {
 namespace {
@@ -18,7 +18,7 @@ Params small() {
   Params p;
   p.pups = 4;
   p.face_points = 4;
-  p.ta = 0.2;
+  p.ambient_temperature = 0.2;
   p.steps = 120;
   p.discard = 40;
   p.seed = 5;
@@ -132,7 +132,7 @@ TEST(Paired, PupFlowOverALagIsThatOfRunsOfTheirOwn) {
 
 TEST(Paired, WhatCannotBeRunSaysWhy) {
   Params rigid = small();
-  rigid.alpha = 1;
+  rigid.rigidity = 1;
   rigid.face_points = 2;
   const Paired paired = compared(rigid, 2);
   EXPECT_THAT(row(paired, "dt = 0.005, consistent").trouble(2), HasSubstr("alpha must be below 1"));
@@ -157,8 +157,8 @@ TEST(Paired, RunsWithAWarningAreCountedAndKept) {
 
 TEST(Paired, RunsThatGoBadAreCountedAndLeftOut) {
   Params hot = small();
-  hot.ta = 0.7;
-  hot.k1 = 300;  // with Euler heat beyond 2/h
+  hot.ambient_temperature = 0.7;
+  hot.air_conductance = 300;  // with Euler heat beyond 2/h
   const Paired paired = compared(hot);
   EXPECT_EQ(paired.rows[0].bad, 0);
   EXPECT_EQ(row(paired, "euler").bad, 3);

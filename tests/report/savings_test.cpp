@@ -54,8 +54,9 @@ const std::vector<Case> kCases{
     {"quiet",
      [] {
        Params p;
-       p.drive = p.k1 = p.k2 = p.g = 0;
-       p.tb0 = 0.5;  // colder than they like, so that a forced steering does turn them
+       p.drive = p.air_conductance = p.contact_conductance = p.thermogenesis = 0;
+       p.initial_temperature =
+           0.5;  // colder than they like, so that a forced steering does turn them
        p.precision = Precision::float_;
        return p;
      },
@@ -64,21 +65,21 @@ const std::vector<Case> kCases{
      [] {
        Params p;
        p.heading = Heading::body;
-       p.v = 0;
+       p.steering_gain = 0;
        return p;
      },
      {"touching pairs", "turn", "observables"}},
     {"no_heat_between_pups",
      [] {
        Params p;
-       p.k2 = 0;
+       p.contact_conductance = 0;
        return p;
      },
      {"touching pairs", "mean T_c", "observables"}},
     {"free",
      [] {
        Params p;
-       p.beta = 1;
+       p.deformation = 1;
        p.face_points = 3;
        return p;
      },
@@ -86,7 +87,7 @@ const std::vector<Case> kCases{
     {"no_goals",
      [] {
        Params p;
-       p.alpha = 0;
+       p.rigidity = 0;
        return p;
      },
      {"touching pairs", "shape_match", "observables"}},
@@ -197,7 +198,7 @@ TEST(Savings, AChangedBitIsADefect) {
 TEST(Savings, BadNumbersEndTheMeasuring) {
   Params params;
   params.heat = HeatRule::euler;
-  params.k1 = 500;  // where forward Euler overshoots by more in every step
+  params.air_conductance = 500;  // where forward Euler overshoots by more in every step
   EXPECT_THROW(measure_savings(params, {1500, 1, 1, true}), io::Failure);
 }
 

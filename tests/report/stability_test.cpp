@@ -66,7 +66,7 @@ Trial tried(void (*edit)(Params&)) {
 TEST(Verdict, TheDefaultLitterIsStableColdWarmAndInBetween) {
   for (const double ta : {0.2, 0.48, 0.8}) {
     Params params;
-    params.ta = ta;
+    params.ambient_temperature = ta;
     const Trial trial = *try_litter(params, never);
     EXPECT_EQ(trial.verdict, Verdict::stable) << class_of(trial.verdict).name;
     EXPECT_LT(trial.swing, class_of(Verdict::ringing).limit / 10);  // with room
@@ -90,8 +90,8 @@ TEST(Verdict, EachClassHasAKnownMember) {
   const Member members[] = {
       {Verdict::ringing,
        [](Params& p) {
-         p.alpha = 0.1;
-         p.beta = 0.8;
+         p.rigidity = 0.1;
+         p.deformation = 0.8;
        }},
       {Verdict::overlapping, [](Params& p) { p.pup_radius = 1.9; }},
       {Verdict::hanging,
@@ -100,7 +100,7 @@ TEST(Verdict, EachClassHasAKnownMember) {
          p.steps = 600;
        }},
       {Verdict::sunk, [](Params& p) { p.dt = 0.1; }},
-      {Verdict::inverted, [](Params& p) { p.beta = 1; }},
+      {Verdict::inverted, [](Params& p) { p.deformation = 1; }},
       {Verdict::escaped, [](Params& p) { p.drive = 1000; }},
   };
   for (const Member& member : members) {
@@ -119,14 +119,14 @@ TEST(Verdict, MoreKineticEnergyThanDriveAndGravityGiveIsHeating) {
   // Explicit steps do not damp: the litter gets hot before anybody is out of bounds.
   const Trial hot = tried([](Params& p) {
     p.integrator = Integrator::explicit_;
-    p.alpha = 0.08;
+    p.rigidity = 0.08;
     p.steps = 1360;
   });
   EXPECT_EQ(hot.verdict, Verdict::heating);
   EXPECT_GT(hot.kinetic, 1.2);
   EXPECT_TRUE(hot.warnings.empty());
   // Close to no shape of its own, a body that is pressed throws another up.
-  const Trial thrown = tried([](Params& p) { p.beta = 0.9; });
+  const Trial thrown = tried([](Params& p) { p.deformation = 0.9; });
   EXPECT_EQ(thrown.verdict, Verdict::heating);
   ASSERT_EQ(thrown.warnings.size(), 1u);
   EXPECT_EQ(thrown.warnings[0].kind, Warning::Kind::gaining_energy);
@@ -147,7 +147,7 @@ TEST(Verdict, HeatRingsAndDivergesWhereEulerDoes) {
     params.pups = 1;
     params.gravity = params.drive = 0;
     params.steps = 400;
-    params.k1 = k1_h / params.dt;
+    params.air_conductance = k1_h / params.dt;
     params.heat = HeatRule::euler;
     EXPECT_EQ(try_heat(params, never)->verdict, verdict) << k1_h;
     params.heat = HeatRule::exact;
@@ -158,7 +158,7 @@ TEST(Verdict, HeatRingsAndDivergesWhereEulerDoes) {
 TEST(Verdict, ExchangeOfHeatRingsAndDivergesAsInTheory) {
   Params params;
   params.pups = 2;
-  params.gravity = params.drive = params.k1 = params.g = 0;
+  params.gravity = params.drive = params.air_conductance = params.thermogenesis = 0;
   params.steps = 400;
   const double contact = held_contact(params);
   ASSERT_GT(contact, 0.05);
@@ -173,7 +173,7 @@ TEST(Verdict, ExchangeOfHeatRingsAndDivergesAsInTheory) {
         Case{0.8, Verdict::ringing, Verdict::ringing},
         Case{1.05, Verdict::ringing, Verdict::diverged},
         Case{1000, Verdict::ringing, Verdict::diverged}}) {
-    params.k2 = one.kappa / (contact * params.dt);
+    params.contact_conductance = one.kappa / (contact * params.dt);
     params.heat = HeatRule::exact;
     EXPECT_EQ(try_exchange(params, never)->verdict, one.exact) << one.kappa;
     params.heat = HeatRule::euler;

@@ -8,14 +8,14 @@
 #include "app/report/validation_readings.h"
 #include "app/report/validation_symmetry.h"
 #include "app/report/validation_units.h"
-#include "engine/ensemble.h"
+#include "pupflow/ensemble.h"
 
 namespace pupflow::report {
 namespace {
 
 Params cold_litter() {
   Params p;
-  p.ta = 0.2;
+  p.ambient_temperature = 0.2;
   p.steps = 700;
   return p;
 }
@@ -39,13 +39,14 @@ TEST(Estimates, ShowAsManyPlacesAsTheErrorHas) {
 
 TEST(AllRuns, GivesEachSettingAndSeedItsPlaceOnAnyNumberOfThreads) {
   std::vector<Params> settings(3);
-  for (int i = 0; i < 3; ++i) settings[i].ta = i;
+  for (int i = 0; i < 3; ++i) settings[i].ambient_temperature = i;
   Options options;
   options.quiet = true;
   for (const int threads : {1, 3}) {
     options.threads = threads;
     const auto numbers = all_runs("x", settings, 2, options, [](const Params& p) {
-      return std::vector{p.ta, 10 * p.ta + static_cast<double>(p.seed)};
+      return std::vector{p.ambient_temperature,
+                         10 * p.ambient_temperature + static_cast<double>(p.seed)};
     });
     ASSERT_EQ(numbers.size(), 3u);
     EXPECT_EQ(numbers[2][0], (std::vector{2.0, 2.0}));
@@ -102,7 +103,7 @@ TEST(Flow, LagOneIsTheObservablesAndAHundredComparesWithAHundredStepsAgo) {
 TEST(Heat, TheBalanceClosesButWhatPupsExchangeDoesNotCancel) {
   const HeatBalance b = heat_balance(cold_litter());
   EXPECT_NEAR(b.change, b.made - b.lost + b.exchanged, 1e-12);
-  EXPECT_NEAR(b.made, Params{}.g, 1e-12);
+  EXPECT_NEAR(b.made, Params{}.thermogenesis, 1e-12);
   EXPECT_GT(std::abs(b.exchanged), 1e-4);
   EXPECT_GT(b.moved, std::abs(b.exchanged));
 }

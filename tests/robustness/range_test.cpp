@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/metrics.h"
+#include "pupflow/observer.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(All, RangeEnds,
 TEST(Range, AmbientTemperaturesFarOutWork) {
   for (const double ta : {-1e6, -1.0, 2.0, 1e6}) {
     Params p;
-    p.ta = ta;
+    p.ambient_temperature = ta;
     Simulation s(p);
     EXPECT_TRUE(s.run(600).ok()) << ta;
     EXPECT_TRUE(all_finite(s));
@@ -101,8 +101,8 @@ TEST(Range, AlphaAndBetaAtTheirEndsInAllCombinations) {
   for (const double alpha : {0.0, 1.0}) {
     for (const double beta : {0.0, 1.0}) {
       Params p;
-      p.alpha = alpha;
-      p.beta = beta;
+      p.rigidity = alpha;
+      p.deformation = beta;
       Simulation s(p);
       const Status status = s.run(600);
       EXPECT_TRUE(!status.ok() || all_finite(s)) << alpha << ' ' << beta;

@@ -65,7 +65,7 @@ TEST(Status, ABadStatusStays) {
 
 TEST(Status, ARunawayPointHasDiverged) {
   Params p = testing::weightless();
-  p.alpha = 0;  // nothing holds the points together
+  p.rigidity = 0;  // nothing holds the points together
   Simulation s(p);
   Points x = testing::all_positions(s), v(x.size(), Eigen::Vector3d::Zero());
   v[42] = Eigen::Vector3d(0, 0, 100);
@@ -85,8 +85,8 @@ TEST(Status, NearBetaOneBodiesDoNotFeedOnTheirSize) {
   for (const double beta : {0.95, 0.98, 1.0}) {
     for (const double alpha : {0.3, 0.7, 1.0}) {
       Params p;
-      p.alpha = alpha;
-      p.beta = beta;
+      p.rigidity = alpha;
+      p.deformation = beta;
       p.precision = Precision::float_;
       Simulation s(p);
       EXPECT_TRUE(s.run(1500).ok()) << alpha << ' ' << beta << ' ' << s.status().message();
@@ -134,7 +134,7 @@ TEST(Status, EulerHeatBeyondItsRegionIsReported) {
   p.pups = 1;
   p.heat = HeatRule::euler;
   for (const double k1_h : {1.5, 1.99, 2.01, 2.5, 20.0}) {
-    p.k1 = k1_h / p.dt;
+    p.air_conductance = k1_h / p.dt;
     Simulation s(p);
     const Status status = s.run(3000);
     EXPECT_EQ(status.ok(), k1_h < 2) << k1_h;
@@ -142,8 +142,9 @@ TEST(Status, EulerHeatBeyondItsRegionIsReported) {
     EXPECT_EQ(status.kind, Status::Kind::diverged);
     EXPECT_EQ(status.stage, Stage::heat);
     // |1 - k1 h|^n |T_b(0) - T_eq| k1 h > 100
-    const double equilibrium = p.ta + p.g / p.k1;
-    const double n = std::log(100 / (k1_h * (p.tb0 - equilibrium))) / std::log(k1_h - 1);
+    const double equilibrium = p.ambient_temperature + p.thermogenesis / p.air_conductance;
+    const double n =
+        std::log(100 / (k1_h * (p.initial_temperature - equilibrium))) / std::log(k1_h - 1);
     EXPECT_NEAR(static_cast<double>(status.step), n + 1, 1) << k1_h;
   }
 }
@@ -151,7 +152,7 @@ TEST(Status, EulerHeatBeyondItsRegionIsReported) {
 TEST(Status, TheExplicitFormBlowsUpAndSaysSo) {
   Params p;
   p.pups = 1;
-  p.beta = 0;
+  p.deformation = 0;
   p.integrator = Integrator::explicit_;
   Simulation s(p);
   EXPECT_FALSE(s.run(2000).ok());
@@ -159,7 +160,7 @@ TEST(Status, TheExplicitFormBlowsUpAndSaysSo) {
 
 TEST(Status, AnInfiniteTemperatureNamesThePup) {
   Params p;
-  p.g = 1e308;
+  p.thermogenesis = 1e308;
   p.dt = 10;
   p.heat = HeatRule::euler;
   Simulation s(p);
@@ -171,7 +172,7 @@ TEST(Status, AnInfiniteTemperatureNamesThePup) {
 
 TEST(Status, FlatAndCollapsedCloudsRecoverAndAreCounted) {
   Params p = testing::weightless();
-  p.beta = 0;
+  p.deformation = 0;
   Simulation s(p);
   Points x = testing::all_positions(s);
   for (auto& point : x) point = Eigen::Vector3d(point.x(), point.y(), 10);

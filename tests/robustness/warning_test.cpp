@@ -118,7 +118,7 @@ TEST(Warnings, PupsThatClimbWithoutInputGainEnergy) {
 TEST(Warnings, TheUndampedFormGainsEnergyBeforeItDiverges) {
   Params p;
   p.pups = 1;
-  p.beta = 0;
+  p.deformation = 0;
   p.integrator = Integrator::explicit_;
   Simulation s(p);
   EXPECT_FALSE(s.run(1000).ok());
@@ -194,7 +194,7 @@ TEST(Warnings, HardLandingsAreNoSinking) {
       Params p;
       p.pups = 1;
       p.drive = 0;
-      p.alpha = alpha;
+      p.rigidity = alpha;
       Simulation s(p);
       shift(s, 0, {0, 0, height}, Eigen::Vector3d::Zero());
       for (int step = 0; step < 4000; ++step) {
@@ -262,7 +262,7 @@ TEST(Warnings, AreNotGivenToThePapersLitters) {
       for (const ContactRule contact :
            {ContactRule::nearest, ContactRule::mean, ContactRule::sum}) {
         Params p;
-        p.ta = ta;
+        p.ambient_temperature = ta;
         p.heading = heading;
         p.contact = contact;
         Simulation s(p);
@@ -275,17 +275,18 @@ TEST(Warnings, AreNotGivenToThePapersLitters) {
 
 TEST(Warnings, AreNotGivenToOrdinaryLitters) {
   expect_none("ten times as large", 1500, [](Params& p) { p = ten_times(); });
-  expect_none("loose", 1500, [](Params& p) { p.alpha = 0; });
-  expect_none("soft", 1500, [](Params& p) { p.alpha = 0.1; });
-  expect_none("rigid", 1500, [](Params& p) { p.alpha = 1, p.beta = 0; });
-  expect_none("puddles", 1500, [](Params& p) { p.beta = 1; });
+  expect_none("loose", 1500, [](Params& p) { p.rigidity = 0; });
+  expect_none("soft", 1500, [](Params& p) { p.rigidity = 0.1; });
+  expect_none("rigid", 1500, [](Params& p) { p.rigidity = 1, p.deformation = 0; });
+  expect_none("puddles", 1500, [](Params& p) { p.deformation = 1; });
   expect_none("k = 2", 1500, [](Params& p) { p.face_points = 2; });
   expect_none("k = 12", 500, [](Params& p) { p.face_points = 12; });
   expect_none("small step", 3000, [](Params& p) { p.dt = 0.002, p.face_points = 4; });
   expect_none("large step", 1500, [](Params& p) { p.dt = 0.05; });
   expect_none("strong drive", 1500, [](Params& p) { p.drive = 10; });
   expect_none("heavy", 1500, [](Params& p) { p.gravity = 100; });
-  expect_none("no heat", 1500, [](Params& p) { p.k1 = p.k2 = p.g = 0; });
+  expect_none("no heat", 1500,
+              [](Params& p) { p.air_conductance = p.contact_conductance = p.thermogenesis = 0; });
   expect_none("small arena", 1500, [](Params& p) { p.arena_radius = 0.6, p.pups = 30; });
   expect_none("wide points", 1500, [](Params& p) { p.point_radius = 0.2; });
 }
@@ -293,7 +294,7 @@ TEST(Warnings, AreNotGivenToOrdinaryLitters) {
 TEST(Warnings, AreNotGivenToPilesAndCarpets) {
   expect_none("pile", 2000, [](Params& p) {
     p.pups = 200;
-    p.ta = 0.2;
+    p.ambient_temperature = 0.2;
     p.face_points = 4;
     p.precision = Precision::float_;
   });

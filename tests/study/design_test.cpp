@@ -86,8 +86,8 @@ TEST(ADesign, TurnsTheLastAxisFastest) {
   EXPECT_THAT(design.values_at(1), ElementsAre(0.1, 0.5));
   EXPECT_THAT(design.values_at(3), ElementsAre(0.2, 0));
   const Params params = design.params_of(4 * 4 + 3);  // point 4, fourth seed
-  EXPECT_EQ(params.ta, 0.2);
-  EXPECT_EQ(params.beta, 0.5);
+  EXPECT_EQ(params.ambient_temperature, 0.2);
+  EXPECT_EQ(params.deformation, 0.5);
   EXPECT_EQ(params.pups, 3);
   EXPECT_EQ(params.seed, run_seed(1, 19));
 }

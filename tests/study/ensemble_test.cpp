@@ -1,4 +1,4 @@
-#include "engine/ensemble.h"
+#include "pupflow/ensemble.h"
 
 #include <gtest/gtest.h>
 
@@ -73,7 +73,7 @@ TEST(Ensemble, ReportsTheMeansThatARunItselfComesTo) {
 
 TEST(Ensemble, ReportsThemWhereOnlyAnObserverAsksForContacts) {
   Params params = litter(3);
-  params.drive = params.k1 = params.k2 = params.g = 0;
+  params.drive = params.air_conductance = params.contact_conductance = params.thermogenesis = 0;
   params.arena_radius = 0.4;  // so small that they touch
   params.discard = 50;        // they touch by then, so that a contact not recorded shows
   params.flow_lag = 3;
@@ -85,7 +85,7 @@ TEST(Ensemble, LookingFromTheMiddleOnChangesNoBit) {
   for (const double drive : {0.0, 1.0}) {
     Params params = litter(3);
     params.drive = drive;
-    if (drive == 0) params.k1 = params.k2 = params.g = 0;
+    if (drive == 0) params.air_conductance = params.contact_conductance = params.thermogenesis = 0;
     Simulation always(params), late(params);
     late.set_observed(false);
     always.run(40);
@@ -100,7 +100,7 @@ TEST(Ensemble, LookingFromTheMiddleOnChangesNoBit) {
 TEST(Ensemble, EndsARunWhereItsNumbersGoWrong) {
   Params params = litter(0);
   params.heat = HeatRule::euler;
-  params.k1 = 500;  // each step overshoots by more than the one before
+  params.air_conductance = 500;  // each step overshoots by more than the one before
   params.steps = 2000;
   const auto result = run_to_end(params, kNever);
   ASSERT_TRUE(result);
@@ -149,7 +149,7 @@ TEST(Ensemble, PassesOnAnExceptionOfAnyCallback) {
 
 TEST(Ensemble, RefusesUnsoundParameters) {
   Params params = litter(0);
-  params.alpha = 7;
+  params.rigidity = 7;
   EXPECT_THROW(run_to_end(params, kNever), InvalidParams);
 }
 

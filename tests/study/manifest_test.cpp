@@ -17,7 +17,7 @@ Design odd_design() {
   Design design = test::small_design({"ta=0:1:24", "heading=body,course", "pups=2,5"}, 7);
   design.name = "figure2";
   design.base.seed = (std::int64_t{1} << 53) - 1;
-  design.base.g = 0.1 + 0.2;
+  design.base.thermogenesis = 0.1 + 0.2;
   design.base.precision = Precision::float_;
   design.shard = {3, 8};
   return design;

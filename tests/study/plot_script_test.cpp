@@ -48,10 +48,10 @@ TEST(PlotScript, MarksPreferredAndCriticalTemperatureOnTheAxis) {
   EXPECT_THAT(script_of(design),
               AllOf(HasSubstr("from 0.6,"), HasSubstr("from 0.53888888"), HasSubstr("'T_{p}'"),
                     HasSubstr("'T_{p} - G/k_{1}'"), HasSubstr("T_{b} = T_{a}")));
-  design.base.k1 = 0;  // a lone pup then never cools
+  design.base.air_conductance = 0;  // a lone pup then never cools
   EXPECT_THAT(script_of(design),
               AllOf(HasSubstr("'T_{p}'"), Not(HasSubstr("G/k_{1}")), Not(HasSubstr("inf"))));
-  design.base.tp = 3;
+  design.base.preferred_temperature = 3;
   EXPECT_THAT(script_of(design), Not(HasSubstr("'T_{p}'")));
   EXPECT_THAT(script_of(small_design({"beta=0,0.5"}, 2)), Not(HasSubstr("T_{p}")));
 }

@@ -53,7 +53,7 @@ TEST(TransitionFinder, FindsSteepestFallPeaksAndTheRangeHeld) {
 
 TEST(TransitionFinder, ClaimsNothingThatIsNotSo) {
   Design design = small_design({"ta=0,0.5"}, 1);
-  design.base.k1 = 0;
+  design.base.air_conductance = 0;
   design.base.flow_lag = 10;
   const auto found = find_transition(design, Curve{{0.1, 0.1}, {1, 2}}.of(design));
   ASSERT_TRUE(found);

@@ -10,7 +10,7 @@ namespace {
 TEST(Controls, ASoundProposalIsSentWhole) {
   Controls controls;
   Params edited;
-  edited.ta = 0.2;
+  edited.ambient_temperature = 0.2;
   controls.propose(edited);
   ASSERT_EQ(controls.commands.size(), 1u);
   EXPECT_EQ(std::get<Edit>(controls.commands[0]).params, edited);

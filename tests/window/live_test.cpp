@@ -14,7 +14,7 @@
 
 #include "app/io/png.h"
 #include "app/io/provenance.h"
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 #include "tests/support/scratch.h"
 #include "tests/window/child.h"
 #include "tests/window/screen.h"
@@ -161,7 +161,7 @@ TEST_F(Live, ThePictureCarriesTheEditedParameters) {
   const std::string path = scratch_.path("shot-001.png");
   Params expected;
   expected.seed = 9;
-  expected.ta = 0.2345;
+  expected.ambient_temperature = 0.2345;
   EXPECT_EQ(io::params_of_file(path), expected);
   const io::TextEntries text = io::read_png_text(path);
   EXPECT_THAT(text, ::testing::Contains(::testing::Pair("step", "1")));
@@ -198,7 +198,7 @@ TEST_F(Live, TheSameHashAsHeadless) {
   const std::string hash = await("hash 100 ");
   Params params;
   params.seed = 5;
-  params.ta = 0.3;
+  params.ambient_temperature = 0.3;
   EXPECT_EQ(hash, headless_hash(params, 100));
 }
 

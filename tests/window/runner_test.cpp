@@ -112,12 +112,12 @@ TEST(Runner, OfEditsInARowTheLastOneCounts) {
   Watched runner(false);
   Params edited = small_litter();
   for (const double ta : {0.1, 0.2, 0.3}) {
-    edited.ta = ta;
+    edited.ambient_temperature = ta;
     runner->send(Edit{edited});
   }
   runner->send(Advance{1});
   const Snapshot& snapshot = runner.await([](const Snapshot& s) { return s.step == 1; });
-  EXPECT_EQ(snapshot.params.ta, 0.3);
+  EXPECT_EQ(snapshot.params.ambient_temperature, 0.3);
   Simulation simulation(edited);
   simulation.run(1);
   EXPECT_EQ(snapshot.hash, simulation.hash());
@@ -127,10 +127,11 @@ TEST(Runner, AnEditInTheMiddleOfARunIsTaken) {
   Watched runner(true);
   runner.await([](const Snapshot& s) { return s.step > 2; });
   Params edited = small_litter();
-  edited.ta = 0.9;
+  edited.ambient_temperature = 0.9;
   runner->send(Edit{edited});
-  const Snapshot& snapshot =
-      runner.await([](const Snapshot& s) { return s.params.ta == 0.9 && s.step > s.edited_at; });
+  const Snapshot& snapshot = runner.await([](const Snapshot& s) {
+    return s.params.ambient_temperature == 0.9 && s.step > s.edited_at;
+  });
   EXPECT_GT(snapshot.edited_at, 2);
   EXPECT_TRUE(snapshot.playing);
 }
@@ -139,7 +140,7 @@ TEST(Runner, ABadStatusIsPublishedAndPauses) {
   Params params;
   params.pups = 1;
   params.heat = HeatRule::euler;
-  params.k1 = 500;
+  params.air_conductance = 500;
   Watched runner(true, params);
   runner->send(Speed{std::numeric_limits<double>::infinity()});
   const Snapshot& snapshot = runner.await([](const Snapshot& s) { return !s.status.ok(); });

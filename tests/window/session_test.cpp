@@ -18,7 +18,7 @@ Params runaway() {
   Params params;
   params.pups = 2;
   params.heat = HeatRule::euler;
-  params.k1 = 500;
+  params.air_conductance = 500;
   return params;
 }
 
@@ -35,7 +35,7 @@ void step_until_bad(Session& session) {
 TEST(Session, AnEditActsOnTheNextStep) {
   Params edited = small_litter();
   edited.gravity = 3;
-  edited.ta = 0.1;
+  edited.ambient_temperature = 0.1;
   Simulation expected(small_litter());
   expected.run(5);
   expected.set_params(edited);
@@ -84,7 +84,7 @@ TEST(Session, ShowsWarningsUntilTheLitterIsANewOne) {
 TEST(Session, AnUnsoundEditIsNotTaken) {
   Session session(small_litter(), true);
   Params edited = small_litter();
-  edited.alpha = 2;
+  edited.rigidity = 2;
   session.apply(Edit{edited});
   session.step();
   const Snapshot snapshot = look_at(session);

@@ -1,4 +1,4 @@
-#include "engine/taxis.h"
+#include "engine/steering.h"
 
 #include <algorithm>
 #include <bit>
@@ -28,10 +28,10 @@ double product(double a, double b, double c) {
 
 /// The exponent sigma t (t_p - t_b). Infinite where it leaves the range of double, never NaN.
 double excitation(const Params& params, double tb, double t) {
-  const double need = params.tp - tb;
-  if (need == 0 || t == 0 || params.sigma == 0) return 0;
-  if (std::isfinite(need)) return product(params.sigma, t, need);
-  return 2 * product(params.sigma, t, params.tp / 2 - tb / 2);
+  const double need = params.preferred_temperature - tb;
+  if (need == 0 || t == 0 || params.sensitivity == 0) return 0;
+  if (std::isfinite(need)) return product(params.sensitivity, t, need);
+  return 2 * product(params.sensitivity, t, params.preferred_temperature / 2 - tb / 2);
 }
 
 /// (S_L - S_R)/(S_L + S_R).
@@ -75,10 +75,10 @@ SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
   const auto means = [&](double unit) -> SideTemperatures {
     double sum[2] = {0, 0};  // of T_c - T_a over the touching points: right, left
     for_each_point(touching, words, [&](int i) {
-      sum[is_left(i)] += unit * state.tb[touched[i]] - unit * params.ta;
+      sum[is_left(i)] += unit * state.tb[touched[i]] - unit * params.ambient_temperature;
     });
-    return {(unit * params.ta + (on_left > 0 ? sum[1] / on_left : 0)) / unit,
-            (unit * params.ta + (on_right > 0 ? sum[0] / on_right : 0)) / unit};
+    return {(unit * params.ambient_temperature + (on_left > 0 ? sum[1] / on_left : 0)) / unit,
+            (unit * params.ambient_temperature + (on_right > 0 ? sum[0] / on_right : 0)) / unit};
   };
   const SideTemperatures plain = means(1);
   return std::isfinite(plain.left) && std::isfinite(plain.right) ? plain : means(kSumUnit);
@@ -87,7 +87,7 @@ SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
 }  // namespace
 
 double turn(const Params& params, double tb, double t_left, double t_right) {
-  return atan_fixed(params.v * preference(params, tb, t_left, t_right));
+  return atan_fixed(params.steering_gain * preference(params, tb, t_left, t_right));
 }
 
 template <class Real>

@@ -1,4 +1,4 @@
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow {
 namespace {
@@ -16,8 +16,8 @@ TEST(Params, DefaultsAreSoundAndThePapers) {
   EXPECT_TRUE(check(p).empty());
   EXPECT_EQ(p.pups, 12);
   EXPECT_EQ(points_per_pup(p), 294);
-  EXPECT_EQ(p.alpha, 0.7);
-  EXPECT_EQ(p.beta, 0.5);
+  EXPECT_EQ(p.rigidity, 0.7);
+  EXPECT_EQ(p.deformation, 0.5);
 }
 
 TEST(Params, TableHoldsEveryPromisedName) {
@@ -95,8 +95,8 @@ TEST(Params, BadTextIsExplainedAndChangesNothing) {
 
 TEST(Params, AllProblemsAreListed) {
   Params p;
-  p.alpha = 2;
-  p.beta = -1;
+  p.rigidity = 2;
+  p.deformation = -1;
   p.dt = std::nan("");
   p.arena_radius = 0.3;
   const auto problems = check(p);
@@ -130,7 +130,7 @@ TEST(Params, AColumnThatReachesBeyondTheWallIsRefused) {
 
 TEST(Params, WhatDefinesTheLitterNeedsARestart) {
   Params a, b;
-  b.ta = 0.1;
+  b.ambient_temperature = 0.1;
   b.steps = 9;
   EXPECT_FALSE(needs_restart(a, b));
   b.pups = 13;

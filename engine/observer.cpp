@@ -1,4 +1,4 @@
-#include "engine/metrics.h"
+#include "pupflow/observer.h"
 
 #include <algorithm>
 #include <array>

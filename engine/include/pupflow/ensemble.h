@@ -5,10 +5,9 @@
 #include <functional>
 #include <optional>
 
-#include "engine/metrics.h"
-#include "engine/params.h"
-#include "engine/status.h"
-#include "engine/warning.h"
+#include "pupflow/observer.h"
+#include "pupflow/parameters.h"
+#include "pupflow/status.h"
 
 namespace pupflow {
 
@@ -33,5 +32,9 @@ void run_ensemble(std::int64_t count, int threads,
                   const std::function<Params(std::int64_t)>& params_of,
                   const std::function<void(std::int64_t, const RunResult&)>& deliver,
                   const std::function<bool()>& stop);
+
+/// The seed of a run: a pure function of base seed and run index, different for every run of a
+/// sweep.
+std::int64_t run_seed(std::int64_t base_seed, std::int64_t run);
 
 }  // namespace pupflow

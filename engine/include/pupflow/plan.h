@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/params.h"
-#include "engine/status.h"
+#include "pupflow/parameters.h"
+#include "pupflow/status.h"
 
 namespace pupflow {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/simulation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow {
 

@@ -8,9 +8,9 @@
 #pragma once
 
 #include "engine/cloud.h"
-#include "engine/params.h"
 #include "engine/state.h"
-#include "engine/status.h"
+#include "pupflow/parameters.h"
+#include "pupflow/status.h"
 
 namespace pupflow {
 

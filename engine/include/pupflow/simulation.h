@@ -7,15 +7,21 @@
 #include <span>
 #include <vector>
 
-#include "engine/params.h"
-#include "engine/plan.h"
-#include "engine/snapshot.h"
-#include "engine/state.h"
-#include "engine/status.h"
-#include "engine/step.h"
-#include "engine/warning.h"
+#include "pupflow/instruction_set.h"
+#include "pupflow/parameters.h"
+#include "pupflow/plan.h"
+#include "pupflow/snapshot.h"
+#include "pupflow/status.h"
 
 namespace pupflow {
+
+/// Told when a stage of a step begins and ends; the engine itself owns no clock.
+class StageListener {
+ public:
+  virtual ~StageListener() = default;
+  virtual void stage_begins(Stage stage) = 0;
+  virtual void stage_ends(Stage stage) = 0;
+};
 
 /// One litter in its arena. A value: copying it copies the whole state (that is how to take and
 /// restore a snapshot), and a copy goes on bit for bit like the original. Not thread-safe; separate

@@ -4,10 +4,20 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/params.h"
-#include "engine/state.h"
+#include "pupflow/parameters.h"
+#include "pupflow/view.h"
 
 namespace pupflow {
+
+/// The step and the time at which dt last changed. Time is counted from there, in one product,
+/// since adding up dt step by step would gather rounding errors.
+struct Clock {
+  std::int64_t step = 0;
+  double time = 0;
+  double at(std::int64_t now, double dt) const {
+    return time + static_cast<double>(now - step) * dt;
+  }
+};
 
 /// Everything that the future depends on, and what the last step found. Positions and velocities
 /// are x0 y0 z0 x1 ..., pup by pup; float litters widen to double exactly. A simulation made from a

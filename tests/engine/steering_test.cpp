@@ -1,4 +1,4 @@
-#include "engine/taxis.h"
+#include "engine/steering.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/cloud.h"
 #include "engine/elementary.h"
+#include "pupflow/geometry.h"
 
 namespace pupflow {
 namespace {
@@ -22,7 +24,8 @@ TEST(Turn, GoesTowardsWarmthWhenColdAndAwayWhenHot) {
 TEST(Turn, IsZeroBySymmetry) {
   const Params p;
   for (const double t : {-1e6, -0.3, 0.0, 0.4, 1e6}) EXPECT_EQ(turn(p, 0.3, t, t), 0);
-  EXPECT_EQ(turn(p, p.tp, 0.2, 0.9), 0);  // content: no preference for either side
+  EXPECT_EQ(turn(p, p.preferred_temperature, 0.2, 0.9),
+            0);  // content: no preference for either side
 }
 
 TEST(Turn, IsOddInTheSides) {
@@ -32,11 +35,11 @@ TEST(Turn, IsOddInTheSides) {
 
 TEST(Turn, FollowsTheFormula) {
   Params p;
-  p.v = 3;
+  p.steering_gain = 3;
   const double tb = 0.55, left = 0.5, right = 0.3;
-  const double sl = 1 / (1 + std::exp(-p.sigma * left * (p.tp - tb)));
-  const double sr = 1 / (1 + std::exp(-p.sigma * right * (p.tp - tb)));
-  EXPECT_NEAR(turn(p, tb, left, right), std::atan(p.v * (sl - sr) / (sl + sr)), 1e-15);
+  const double sl = 1 / (1 + std::exp(-p.sensitivity * left * (p.preferred_temperature - tb)));
+  const double sr = 1 / (1 + std::exp(-p.sensitivity * right * (p.preferred_temperature - tb)));
+  EXPECT_NEAR(turn(p, tb, left, right), std::atan(p.steering_gain * (sl - sr) / (sl + sr)), 1e-15);
 }
 
 TEST(Turn, IsFiniteWhateverTheSettings) {
@@ -47,9 +50,9 @@ TEST(Turn, IsFiniteWhateverTheSettings) {
         for (const double tb : {-1e6, 0.0, 0.6, 1e6}) {
           for (const double tl : {-1e6, 0.0, 0.5, 1e6}) {
             for (const double tr : {-1e6, 0.1, 1e6}) {
-              p.sigma = sigma;
-              p.v = v;
-              p.tp = tp;
+              p.sensitivity = sigma;
+              p.steering_gain = v;
+              p.preferred_temperature = tp;
               const double delta = turn(p, tb, tl, tr);
               ASSERT_TRUE(std::isfinite(delta)) << sigma << ' ' << v << ' ' << tp << ' ' << tb;
               ASSERT_LE(std::abs(delta), kPi / 2);
@@ -64,9 +67,9 @@ TEST(Turn, IsFiniteWhateverTheSettings) {
 // Exponents beyond the range of double, by hand. The pup is hot, T_p - T_b = -1, and sigma = 1e300.
 TEST(Turn, ComparesTheSidesWhereBothExponentsOverflow) {
   Params p;
-  p.sigma = 1e300;
-  p.v = 3;
-  p.tp = 0;
+  p.sensitivity = 1e300;
+  p.steering_gain = 3;
+  p.preferred_temperature = 0;
   // S_L = e^-5e308, S_R = e^-4e308: the right side is infinitely better.
   EXPECT_DOUBLE_EQ(turn(p, 1, 5e8, 4e8), -std::atan(3.0));
   EXPECT_DOUBLE_EQ(turn(p, 1, 4e8, 5e8), std::atan(3.0));
@@ -82,9 +85,9 @@ TEST(Turn, ComparesTheSidesWhereBothExponentsOverflow) {
 // to.
 TEST(Turn, SeesADifferenceThatRoundingOfTheExponentsHides) {
   Params p;
-  p.sigma = 1e16;
-  p.v = 1;
-  p.tp = 0;
+  p.sensitivity = 1e16;
+  p.steering_gain = 1;
+  p.preferred_temperature = 0;
   const double d = 1e16 * 0x1p-52;
   EXPECT_NEAR(turn(p, 1, 1 + 0x1p-52, 1), -std::atan(std::tanh(d / 2)), 1e-15);
 }
@@ -92,17 +95,17 @@ TEST(Turn, SeesADifferenceThatRoundingOfTheExponentsHides) {
 // sigma T is 1e310 or 1e-330, but times T_p - T_b the exponents are 2 and 1.
 TEST(Turn, ExponentsMayOverflowOrVanishOnTheWay) {
   Params p;
-  p.v = 3;
-  p.tp = 0;
+  p.steering_gain = 3;
+  p.preferred_temperature = 0;
   const double sl = 1 / (1 + std::exp(-2.0)), sr = 1 / (1 + std::exp(-1.0));
   const double expected = std::atan(3 * (sl - sr) / (sl + sr));
-  p.sigma = -1e300;
+  p.sensitivity = -1e300;
   EXPECT_NEAR(turn(p, 1e-307, 2e7, 1e7), expected, 1e-12);
-  p.sigma = -1e-300;
+  p.sensitivity = -1e-300;
   EXPECT_NEAR(turn(p, 1e307, 2e-7, 1e-7), expected, 1e-12);
   // T_p - T_b = 3.2e308.
-  p.tp = 1.6e308;
-  p.sigma = 1 / 1.6e308;
+  p.preferred_temperature = 1.6e308;
+  p.sensitivity = 1 / 1.6e308;
   EXPECT_NEAR(turn(p, -1.6e308, 1, 0.5), expected, 1e-12);
 }
 
@@ -146,11 +149,11 @@ struct SidesFixture : ::testing::Test {
 TEST_F(SidesFixture, LeftIsCounterClockwiseOfTheHeading) {
   // Facing -y, the contacts at +x are on the left; facing +y, on the right.
   const SideTemperatures down = side_temperatures(params, cloud, state, 0, -kPi / 2);
-  EXPECT_GT(down.left, params.ta + 0.3);
-  EXPECT_EQ(down.right, params.ta);
+  EXPECT_GT(down.left, params.ambient_temperature + 0.3);
+  EXPECT_EQ(down.right, params.ambient_temperature);
   const SideTemperatures up = side_temperatures(params, cloud, state, 0, kPi / 2);
-  EXPECT_EQ(up.left, params.ta);
-  EXPECT_GT(up.right, params.ta + 0.3);
+  EXPECT_EQ(up.left, params.ambient_temperature);
+  EXPECT_GT(up.right, params.ambient_temperature + 0.3);
 }
 
 TEST_F(SidesFixture, MeansAreOverAllPointsOfASide) {
@@ -161,7 +164,7 @@ TEST_F(SidesFixture, MeansAreOverAllPointsOfASide) {
   for (int i = 0; i < state.points; ++i) {
     if (std::cos(direction) * (state.y[i] - 2) - std::sin(direction) * (state.x[i] - 1) <= 0)
       continue;
-    sum += state.touched[i] >= 0 ? 0.9 : params.ta;
+    sum += state.touched[i] >= 0 ? 0.9 : params.ambient_temperature;
     ++left;
   }
   EXPECT_NEAR(side_temperatures(params, cloud, state, 0, direction).left, sum / left, 1e-12);
@@ -175,15 +178,15 @@ TEST_F(SidesFixture, AboutItsOwnAxisTheFirstPointIsOnNoSide) {
   for (const double angle : {0.1, 0.9, 2.2, -1.4}) {
     turn_body(angle);
     const SideTemperatures t = body_side_temperatures(params, cloud, state, 0);
-    EXPECT_EQ(t.left, params.ta);
-    EXPECT_GT(t.right, params.ta);
+    EXPECT_EQ(t.left, params.ambient_temperature);
+    EXPECT_GT(t.right, params.ambient_temperature);
   }
 }
 
 TEST_F(SidesFixture, TemperaturesMayAddUpToMoreThanADoubleHolds) {
   turn_body(0.4);  // so that no point lies on the dividing line
   state.tb[0] = 1.5e308;
-  params.ta = -1.5e308;
+  params.ambient_temperature = -1.5e308;
   int touching = 0, right = 0;
   for (int i = 0; i < state.points; ++i) {
     if (state.x[i] <= 1) continue;

@@ -1,9 +1,10 @@
-#include "engine/metrics.h"
+#include "pupflow/observer.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "pupflow/geometry.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {

@@ -1,4 +1,4 @@
-#include "engine/params.h"
+#include "pupflow/parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -85,19 +85,21 @@ constexpr std::string_view kAuthor2d = "not in the paper; the author's 2-D model
 constexpr std::string_view kProgram = "this program";
 
 constexpr std::array kTable{
-    row<&Params::ta>(Effect::next_step, {-kInfinity, kInfinity, 0, 1},
-                     {"ta", "T_a", "ambient temperature", "", "heat", kPaper,
-                      "Temperature of the arena; every afferent that touches nobody reads it. 0.6 "
-                      "is 37 deg C."}),
-    row<&Params::alpha>(
+    row<&Params::ambient_temperature>(
+        Effect::next_step, {-kInfinity, kInfinity, 0, 1},
+        {"ta", "T_a", "ambient temperature", "", "heat", kPaper,
+         "Temperature of the arena; every afferent that touches nobody reads it. 0.6 "
+         "is 37 deg C."}),
+    row<&Params::rigidity>(
         Effect::next_step, {0, 1, 0, 1},
         {"alpha", "α", "rigidity", "per step", "body", kPaper,
          "Share of the way to its goal that a point goes in one step; 1 is rigid, 0 "
          "a loose cloud."}),
-    row<&Params::beta>(Effect::next_step, {0, 1, 0, 1},
-                       {"beta", "β", "deformation", "", "body", kPaper,
-                        "How far goals follow the best quadratic fit (1) instead of the best "
-                        "rotation (0); 1 has no shape of its own."}),
+    row<&Params::deformation>(
+        Effect::next_step, {0, 1, 0, 1},
+        {"beta", "β", "deformation", "", "body", kPaper,
+         "How far goals follow the best quadratic fit (1) instead of the best "
+         "rotation (0); 1 has no shape of its own."}),
     row<&Params::gravity>(
         Effect::next_step, {0, kInfinity, 0, 50},
         {"gravity", "g", "gravity", "length/s²", "body", kPaper, "Acceleration downwards."}),
@@ -107,16 +109,16 @@ constexpr std::array kTable{
          "nearest: a point is moved by its nearest touching lower point alone; mean: by the mean "
          "over all of them; sum: by their sum."},
         ContactRule::sum),
-    row<&Params::tp>(Effect::next_step, {-kInfinity, kInfinity, 0, 1},
-                     {"tp", "T_p", "preferred temperature", "", "heat", kPaper,
-                      "Body temperature that a pup seeks; 0.6 is 37 deg C."}),
-    row<&Params::k1>(Effect::next_step, {0, kInfinity, 0, 5},
-                     {"k1", "k₁", "conductance to the air", "1/s", "heat", kPaper,
-                      "Rate of heat loss through the exposed surface."}),
-    row<&Params::k2>(Effect::next_step, {0, kInfinity, 0, 5},
-                     {"k2", "k₂", "conductance to others", "1/s", "heat", kPaper,
-                      "Rate of heat exchange through the touching surface."}),
-    row<&Params::g>(
+    row<&Params::preferred_temperature>(Effect::next_step, {-kInfinity, kInfinity, 0, 1},
+                                        {"tp", "T_p", "preferred temperature", "", "heat", kPaper,
+                                         "Body temperature that a pup seeks; 0.6 is 37 deg C."}),
+    row<&Params::air_conductance>(Effect::next_step, {0, kInfinity, 0, 5},
+                                  {"k1", "k₁", "conductance to the air", "1/s", "heat", kPaper,
+                                   "Rate of heat loss through the exposed surface."}),
+    row<&Params::contact_conductance>(Effect::next_step, {0, kInfinity, 0, 5},
+                                      {"k2", "k₂", "conductance to others", "1/s", "heat", kPaper,
+                                       "Rate of heat exchange through the touching surface."}),
+    row<&Params::thermogenesis>(
         Effect::next_step, {-kInfinity, kInfinity, 0, 0.5},
         {"g", "G", "thermogenesis", "1/s", "heat", kPaper, "Heat that each pup makes."}),
     choice<&Params::heat>(
@@ -124,19 +126,20 @@ constexpr std::array kTable{
         {"heat", "", "heat rule", "", "heat", "exact: this program; euler: Wilson 2017",
          "How body temperature is stepped: the exact solution over the step, or "
          "forward Euler."}),
-    row<&Params::tb0>(Effect::restart, {-kInfinity, kInfinity, 0, 1},
-                      {"tb0", "T_b(0)", "initial body temperature", "", "heat", kAuthor2d,
-                       "Body temperature of every pup at t = 0."}),
+    row<&Params::initial_temperature>(Effect::restart, {-kInfinity, kInfinity, 0, 1},
+                                      {"tb0", "T_b(0)", "initial body temperature", "", "heat",
+                                       kAuthor2d, "Body temperature of every pup at t = 0."}),
     row<&Params::drive>(Effect::next_step, {0, kInfinity, 0, 10},
                         {"drive", "f", "drive", "length/s²", "steering", kPaper,
                          "Acceleration of a pup along its direction of travel."}),
-    row<&Params::sigma>(Effect::next_step, {-kInfinity, kInfinity, 0, 200},
-                        {"sigma", "σ", "sensitivity", "", "steering",
-                         "not in the paper; 0.01 per deg C² in the author's 2-D model × 61.67²",
-                         "Steepness of the two temperature sensors."}),
-    row<&Params::v>(Effect::next_step, {0, kInfinity, 0, 1000},
-                    {"v", "v", "steering gain", "", "steering", kAuthor2d,
-                     "Gain from sensor contrast to turning."}),
+    row<&Params::sensitivity>(
+        Effect::next_step, {-kInfinity, kInfinity, 0, 200},
+        {"sigma", "σ", "sensitivity", "", "steering",
+         "not in the paper; 0.01 per deg C² in the author's 2-D model × 61.67²",
+         "Steepness of the two temperature sensors."}),
+    row<&Params::steering_gain>(Effect::next_step, {0, kInfinity, 0, 1000},
+                                {"v", "v", "steering gain", "", "steering", kAuthor2d,
+                                 "Gain from sensor contrast to turning."}),
     choice<&Params::heading>(
         Effect::next_step, kHeadingNames,
         {"heading", "", "heading", "", "steering", "both readings of Wilson 2017",
@@ -302,7 +305,7 @@ void check_refinement(const Params& params, std::vector<Problem>& problems) {
                                           " must be at most " + number_text(kReferenceStep) +
                                           ", the step that it refines"});
   }
-  if (params.dt < kReferenceStep && params.alpha == 1 &&
+  if (params.dt < kReferenceStep && params.rigidity == 1 &&
       params.integrator == Integrator::predictive) {
     problems.push_back({"refinement",
                         "refinement = consistent: alpha = 1 stops deformation within one step and "

@@ -4,16 +4,15 @@
 // A point is inside a body when the winding number of the body's closed surface round it is above
 // 1/2 (Jacobson, Kavan & Sorkine-Hornung 2013, Robust inside-outside segmentation using
 // generalized winding numbers). The surface runs through the pup's points (surface_triangles,
-// cloud.h). For a closed surface the number is whole: a ray from the point leaves the surface so
+// geometry.h). For a closed surface the number is whole: a ray from the point leaves the surface so
 // many times more than it enters. Counting that is exact and needs no angle.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
-#include "engine/broad_phase.h"
-#include "engine/simulation.h"
+#include "pupflow/geometry.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow {
 
@@ -28,39 +27,19 @@ struct Overlap {
 /// Measures litters of any kind, one after another, and keeps its memory in between.
 class OverlapMeter {
  public:
+  OverlapMeter();
+  OverlapMeter(OverlapMeter&&) noexcept;
+  OverlapMeter& operator=(OverlapMeter&&) noexcept;
+  ~OverlapMeter();
+
   /// The litter as it stands. Whether a point touches somebody is what the last step found, so the
   /// simulation must be observed (Simulation::set_observed). Positions must be finite. For twelve
   /// pups in a huddle it takes as long as some ten steps.
   Overlap measure(const Simulation& simulation);
 
  private:
-  /// A body's triangles, by the slabs of y that they cross.
-  struct Slabs {
-    double low = 0, per_length = 0;
-    std::vector<int> begin;     // of each slab in `triangle`, and the end of the last
-    std::vector<int> triangle;  // numbers in triangles_
-    std::vector<int> next;      // while filling: the place for a slab's next triangle
-  };
-  struct Directed {
-    int body, pup;  // points of `pup` may be inside `body`
-  };
-
-  const double* points_of(int pup) const;
-  void fill_slabs(int body);
-  int slab_at(double y) const;
-  // Both need `fill_slabs(body)` before.
-  int winding_number(int body, const double* point) const;
-  void find_inside(int pup, int body);
-
-  int face_points_ = 0, points_ = 0;
-  std::vector<std::array<int, 3>> triangles_;
-  std::vector<double> xyz_;
-  std::vector<Eigen::Vector3d> centres_;
-  std::vector<Bounds<double>> bounds_;
-  std::vector<Directed> directed_;
-  std::vector<std::uint8_t> inside_;  // per point of the litter
-  BroadPhase<double> broad_phase_;
-  Slabs slabs_;
+  class Memory;
+  std::unique_ptr<Memory> memory_;
 };
 
 /// The same for a single look.

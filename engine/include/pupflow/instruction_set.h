@@ -1,0 +1,17 @@
+// The instruction sets that the loops over points are compiled for.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace pupflow {
+
+enum class InstructionSet { baseline, avx2, avx512 };
+
+/// "baseline" (SSE2 on x86-64, NEON on arm64), "avx2" or "avx512".
+std::string_view instruction_set_name(InstructionSet set);
+
+/// What this processor and this build can use, best last. Never empty.
+std::span<const InstructionSet> supported_instruction_sets();
+
+}  // namespace pupflow

@@ -1,8 +1,10 @@
-// What keys and buttons do to the live window.
+// What keys, buttons and the mouse do in the live window.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "app/io/failure.h"
@@ -12,21 +14,88 @@
 namespace pupflow::window {
 namespace {
 
-constexpr double kMessageFor = 4;  // seconds
+constexpr double kZoomPerNotch = 1.1;
+
+LiveWindow& window_of(GLFWwindow* handle) {
+  return *static_cast<LiveWindow*>(glfwGetWindowUserPointer(handle));
+}
 
 }  // namespace
 
-void LiveWindow::carry_out() {
-  for (const Action action : std::exchange(controls_.actions, {})) perform(action);
+void LiveWindow::install_callbacks() {
+  GLFWwindow* const handle = window_.handle();
+  glfwSetWindowUserPointer(handle, this);
+  const auto event = [](GLFWwindow* w, auto...) { window_of(w).schedule_.event(); };
+  glfwSetCharCallback(handle, event);
+  glfwSetMouseButtonCallback(handle, event);
+  glfwSetScrollCallback(handle, event);
+  glfwSetCursorPosCallback(handle, event);
+  glfwSetCursorEnterCallback(handle, event);
+  glfwSetWindowFocusCallback(handle, event);
+  glfwSetWindowRefreshCallback(handle, event);
+  glfwSetFramebufferSizeCallback(handle, event);
+  glfwSetWindowContentScaleCallback(handle, event);
+}
+
+void LiveWindow::install_key_callback() {
+  glfwSetKeyCallback(window_.handle(),
+                     [](GLFWwindow* w, int code, int scancode, int action, int mods) {
+                       LiveWindow& window = window_of(w);
+                       window.schedule_.event();
+                       window.gui_->key(code, scancode, action, mods);
+                       if (action == GLFW_RELEASE) return;
+                       window.key(layout_key(code, scancode), mods, action == GLFW_REPEAT);
+                     });
+}
+
+/// Dear ImGui goes on wanting text for a moment after a field was left.
+bool LiveWindow::text_has_keyboard() {
+  return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+}
+
+void LiveWindow::key(int code, int mods, bool repeated) {
+  if (text_has_keyboard()) return;
+  if (const auto action = action_for(code, mods, repeated)) controls_.actions.push_back(*action);
+}
+
+void LiveWindow::move_camera(const Area& arena, double now) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantCaptureMouse) return;
+  const auto share = [&](float pixels) { return static_cast<double>(pixels / arena.size.y); };
+  const double dx = share(io.MouseDelta.x), dy = share(io.MouseDelta.y);
+  // A move before the press does not count.
+  const bool pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
+                       ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
+                       ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
+  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  const bool other =
+      ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+  if ((dx != 0 || dy != 0) && !pressed) {
+    if (other || (left && io.KeyShift)) {
+      arena_.pan(dx, -dy);
+      schedule_.view_moved(now);
+    } else if (left) {
+      arena_.orbit(-std::numbers::pi * dx, std::numbers::pi * dy);
+      schedule_.view_moved(now);
+    }
+  }
+  if (io.MouseWheel != 0 && arena.holds(io.MousePos)) {
+    arena_.zoom(std::pow(kZoomPerNotch, io.MouseWheel));
+    schedule_.view_moved(now);
+  }
+}
+
+void LiveWindow::carry_out(double now) {
+  for (const Action action : std::exchange(controls_.actions, {})) perform(action, now);
   for (Command& command : std::exchange(controls_.commands, {})) runner_.send(std::move(command));
 }
 
-void LiveWindow::perform(Action action) {
+void LiveWindow::perform(Action action, double now) {
   const auto look_from = [&](const char* spec) {
     arena_.look_from(spec);
-    touched_ = true;
+    schedule_.view_moved(now);
   };
-  frames_wanted_ = std::max(frames_wanted_, 1);  // the panels show what comes of it
+  schedule_.panels_changed();  // the next frame shows the result
   switch (action) {
     case Action::play_pause:
       controls_.commands.push_back(PlayPause{});
@@ -94,13 +163,13 @@ void LiveWindow::take_picture() {
     events_.screenshot(path);
     show("saved " + path);
   } catch (const io::Failure& failure) {
-    show(failure.what());  // a full disk is no reason to lose the litter
+    show(failure.what());  // a full disk does not end the run
   }
 }
 
 void LiveWindow::show(const std::string& message) {
   message_ = message;
-  message_until_ = glfwGetTime() + kMessageFor;
+  schedule_.message_shown(glfwGetTime());
 }
 
 }  // namespace pupflow::window

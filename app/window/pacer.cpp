@@ -10,7 +10,7 @@ void Pacer::reschedule(double now, double interval) {
 }
 
 void Pacer::stepped(double now, double interval) {
-  next_ = std::max(next_ + interval, now - kMostDebt);
+  next_ = std::max(next_ + interval, now - kLongestDelay);
 }
 
 double step_interval(double dt, double speed) {

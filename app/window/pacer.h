@@ -1,16 +1,18 @@
-// When the next step is due: model time against the clock on the wall.
+// When the next step is due: model time against wall-clock time.
 #pragma once
 
 namespace pupflow::window {
 
-/// Keeps steps to a schedule. Owns no clock: every call is told the time in seconds. A short hiccup
-/// is caught up; a machine that cannot keep up falls behind without piling up debt.
+/// Spaces steps evenly in time. Owns no clock: the time in seconds is an argument of every call.
+/// Steps that a short delay held up are caught up. A machine that is too slow for the speed runs
+/// slower, and no backlog of steps grows.
 class Pacer {
  public:
-  /// How late the schedule may run before what is missing is dropped.
-  static constexpr double kMostDebt = 0.1;
+  /// Seconds by which steps may be late; steps that are later are dropped.
+  static constexpr double kLongestDelay = 0.1;
 
-  /// Something changed at `now`: the next step is due within one interval, and no debt is left.
+  /// The speed changed at `now`, or stepping starts: the next step is due within one interval, and
+  /// steps that are late are dropped.
   void reschedule(double now, double interval);
 
   /// Whether the next step is due.
@@ -19,7 +21,7 @@ class Pacer {
   /// When the next step is due, in the clock's seconds.
   double next() const { return next_; }
 
-  /// A step was begun at `now`; the one after it is due `interval` seconds after this one was.
+  /// A step begins at `now`; the next one is due `interval` seconds after this one was due.
   void stepped(double now, double interval);
 
  private:

@@ -7,7 +7,7 @@
 namespace pupflow::window {
 namespace {
 
-constexpr double kMeasureOver = 0.5;  // seconds over which speed is measured
+constexpr double kMeasureOver = 0.5;  // seconds over which the speed is measured
 
 using Clock = std::chrono::steady_clock;
 
@@ -70,8 +70,8 @@ bool Runner::take() {
 void Runner::loop() {
   try {
     std::vector<Command> commands;
-    while (idle_until_work(commands)) {
-      if (!commands.empty()) obey(commands);
+    while (wait_for_work(commands)) {
+      if (!commands.empty()) apply(commands);
       const double now = seconds();
       if (session_.hurried() || (session_.running() && pacer_.due(now))) step(now);
       measure(seconds());
@@ -87,14 +87,14 @@ void Runner::loop() {
 }
 
 /// Sleeps until there is a command, a due step or a snapshot to hand out, and takes the commands.
-/// False when the thread is to end.
-bool Runner::idle_until_work(std::vector<Command>& commands) {
+/// Returns false when the thread must end.
+bool Runner::wait_for_work(std::vector<Command>& commands) {
   std::unique_lock lock(mutex_);
   const auto called = [&] {
     return stop_ || !queue_.empty() || (requested_ && session_.changed());
   };
   if (session_.hurried()) {
-    // no rest before a step that was asked for
+    // a requested step is due at once
   } else if (session_.running()) {
     if (!pacer_.due(seconds())) changed_.wait_until(lock, time_point(pacer_.next()), called);
   } else {
@@ -104,7 +104,7 @@ bool Runner::idle_until_work(std::vector<Command>& commands) {
   return !stop_;
 }
 
-void Runner::obey(std::vector<Command>& commands) {
+void Runner::apply(std::vector<Command>& commands) {
   const bool rested = resting();
   for (const Command& command : commands) session_.apply(command);
   commands.clear();

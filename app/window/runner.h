@@ -14,17 +14,17 @@
 
 namespace pupflow::window {
 
-/// Steps a litter at its speed. The window asks for a snapshot when it is ready to draw one; the
-/// runner copies the state then and only then, so neither ever waits for the other. At rest the
-/// thread sleeps.
+/// Steps a litter at its speed. The window asks for a snapshot when it can draw one, and the runner
+/// copies the state only then. Neither waits for the other. The thread sleeps while no step is due
+/// and no snapshot is to be handed out.
 class Runner {
  public:
   struct Options {
     Params params;
     bool playing = true;
-    int threads = 1;               // that share a step
-    bool hashed = false;           // snapshots carry the hash
-    std::function<void()> notify;  // called on the runner's thread after a snapshot is out
+    int threads = 1;               // for the loops of a step
+    bool hashed = false;           // snapshots hold the hash
+    std::function<void()> notify;  // called on the runner's thread when a snapshot is ready
   };
 
   /// Throws InvalidParams.
@@ -33,22 +33,23 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// Queues a command; it is carried out before the next step. An edit that follows another one
-  /// still in the queue takes its place.
+  /// Queues a command; it is applied before the next step. An edit replaces an edit that is the
+  /// last in the queue.
   void send(Command command);
 
-  /// Asks for one snapshot as soon as something has changed since the last.
+  /// Asks for one snapshot. It is made as soon as something has changed since the last one.
   void request();
 
-  /// Takes the snapshot asked for, when it is there: true, and `snapshot()` is the new one.
-  /// Rethrows what ended the runner's thread. `take` and `snapshot` are for one thread only.
+  /// Takes the requested snapshot if it is ready and returns whether it was; `snapshot()` is then
+  /// the new one. Rethrows the exception that ended the runner's thread. `take` and `snapshot` are
+  /// for one thread only.
   bool take();
   const Snapshot& snapshot() const { return *front_; }
 
  private:
   void loop();
-  bool idle_until_work(std::vector<Command>& commands);
-  void obey(std::vector<Command>& commands);
+  bool wait_for_work(std::vector<Command>& commands);
+  void apply(std::vector<Command>& commands);
   bool resting() const { return !session_.hurried() && !session_.running(); }
   void step(double now);
   void measure(double now);
@@ -56,7 +57,7 @@ class Runner {
 
   Options options_;
 
-  // Touched by the runner's thread only.
+  // Used by the runner's thread only.
   Session session_;
   Pacer pacer_;
   double measured_from_ = 0, stepping_ = 0;
@@ -70,13 +71,13 @@ class Runner {
   bool requested_ = false, fresh_ = false, stop_ = false;
   std::exception_ptr failure_;
 
-  // Three buffers: the runner fills back_, the window reads front_, and they meet in middle_.
+  // Three buffers: the runner fills back_, the window reads front_, and middle_ is handed over.
   std::array<Snapshot, 3> buffers_;
   Snapshot* back_ = &buffers_[0];
   Snapshot* middle_ = &buffers_[1];
   Snapshot* front_ = &buffers_[2];
 
-  std::thread thread_;  // last: starts when all else is there
+  std::thread thread_;  // last: it starts when all other members exist
 };
 
 }  // namespace pupflow::window

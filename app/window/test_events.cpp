@@ -25,7 +25,7 @@ std::string hex(std::uint64_t value) {
 }  // namespace
 
 void TestEvents::say(const std::string& line) const {
-  std::cout << line << std::endl;  // flushed: somebody waits for it
+  std::cout << line << std::endl;  // flushed: a test waits for it
 }
 
 void TestEvents::widget(std::string_view name) {
@@ -87,6 +87,16 @@ void TestEvents::camera(const view::Camera& camera) {
 
 void TestEvents::screenshot(const std::string& path) {
   if (on_) say("screenshot " + path);
+}
+
+void TestEvents::frame(int samples) {
+  ++frames_;
+  if (on_ && samples_ != samples) say("samples " + std::to_string(samples));
+  samples_ = samples;
+}
+
+void TestEvents::closed() const {
+  if (on_) say("frames " + std::to_string(frames_));
 }
 
 }  // namespace pupflow::window

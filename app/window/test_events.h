@@ -13,7 +13,7 @@
 
 namespace pupflow::window {
 
-/// Prints, when switched on, one line for each event:
+/// When switched on, prints one line for each event:
 ///   widget NAME X Y W H   where a widget is (window coordinates), when it appears or moves
 ///   value NAME VALUE      a parameter as the simulation has taken it, when it changes
 ///   state playing|paused
@@ -23,6 +23,8 @@ namespace pupflow::window {
 ///   warning MESSAGE       a warning of the engine, when it is new
 ///   text on|off           whether a text field has the keyboard
 ///   help shown|hidden, camera AZIMUTH ELEVATION DISTANCE, screenshot PATH
+///   samples N             the arena has N x N samples a pixel, when N changes
+///   frames N              the window is closed after drawing N frames
 class TestEvents {
  public:
   explicit TestEvents(bool on) : on_(on) {}
@@ -36,6 +38,8 @@ class TestEvents {
   void text(bool has_keyboard);
   void camera(const view::Camera& camera);
   void screenshot(const std::string& path);
+  void frame(int samples);
+  void closed() const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -52,6 +56,7 @@ class TestEvents {
   Clock::time_point step_said_{};
   bool bad_ = false;
   std::size_t warnings_ = 0;
+  int frames_ = 0, samples_ = 0;
 };
 
 }  // namespace pupflow::window

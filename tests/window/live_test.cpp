@@ -293,6 +293,23 @@ TEST_F(Live, TheMouseTurnsTheViewAndHomeTurnsItBack) {
   while (!camera.starts_with("0.523")) camera = await("camera ");  // 30 degrees
 }
 
+TEST_F(Live, AViewThatTurnsHasOneSampleAPixelAndAllAfterRest) {
+  open({"--paused", "--supersample", "3"});
+  EXPECT_EQ(await("samples "), "1");
+  EXPECT_EQ(await("samples "), "3");
+  const Box box = widget("play");
+  screen_.press_and_move(700, box.y + 500, 780, box.y + 500);
+  EXPECT_EQ(await("samples "), "1");
+  screen_.release();
+  EXPECT_EQ(await("samples "), "3");
+}
+
+TEST_F(Live, APausedWindowAtRestDrawsNoFrames) {
+  open({"--paused", "--exit-after", "4"});
+  EXPECT_LT(std::stoi(await("frames ")), 20) << "first frames, layout, sharp frame";
+  EXPECT_EQ(exit_code(), 0);
+}
+
 TEST_F(Live, CtrlCEndsItWithItsOwnCode) {
   open();
   window_->send_signal(SIGINT);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kDt = 0.01;
 
-/// Steps taken while the clock goes from `from` to `to` in ticks, no step taking any time.
+/// Steps that are due while the clock goes from `from` to `to` in ticks; a step takes no time.
 int steps_between(Pacer& pacer, double from, double to, double tick, double interval) {
   int steps = 0;
   for (int i = 0; from + i * tick < to; ++i) {
@@ -54,11 +54,11 @@ TEST(Pacer, AsFastAsPossibleIsAlwaysDue) {
   }
 }
 
-TEST(Pacer, AMachineThatCannotKeepUpPilesUpNoDebt) {
+TEST(Pacer, ASlowMachineGathersNoBacklog) {
   Pacer pacer;
   double now = 0;
   pacer.reschedule(now, kDt);
-  for (int i = 0; i < 100; ++i) {  // each step takes five times as long as it may
+  for (int i = 0; i < 100; ++i) {  // each step takes five intervals
     ASSERT_TRUE(pacer.due(now));
     pacer.stepped(now, kDt);
     now += 5 * kDt;
@@ -68,10 +68,10 @@ TEST(Pacer, AMachineThatCannotKeepUpPilesUpNoDebt) {
     pacer.stepped(now, kDt);
     ++burst;
   }
-  EXPECT_LE(burst, Pacer::kMostDebt / kDt + 2);
+  EXPECT_LE(burst, Pacer::kLongestDelay / kDt + 2);
 }
 
-TEST(Pacer, CatchesUpAShortHiccup) {
+TEST(Pacer, CatchesUpAfterAShortDelay) {
   Pacer pacer;
   pacer.reschedule(0, kDt);
   const int before = steps_between(pacer, 0, 1, 0.001, kDt);
@@ -79,7 +79,7 @@ TEST(Pacer, CatchesUpAShortHiccup) {
   EXPECT_NEAR(before + after, 200, 1);
 }
 
-TEST(Pacer, ANewSpeedNeedNotWaitForTheOldOnesStep) {
+TEST(Pacer, ANewSpeedAppliesAtOnce) {
   Pacer pacer;
   pacer.reschedule(0, 1000);
   pacer.stepped(0, 1000);
@@ -88,7 +88,7 @@ TEST(Pacer, ANewSpeedNeedNotWaitForTheOldOnesStep) {
   EXPECT_TRUE(pacer.due(1 + 1.01 * kDt));
 }
 
-TEST(Pacer, ALongRestIsNoDebt) {
+TEST(Pacer, ALongRestLeavesNoBacklog) {
   Pacer pacer;
   pacer.reschedule(0, kDt);
   pacer.stepped(0, kDt);

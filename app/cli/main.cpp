@@ -6,7 +6,7 @@
 #include <new>
 #include <vector>
 
-#include "app/cli/ranks.h"
+#include "app/cli/launcher.h"
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
@@ -127,7 +127,7 @@ int guarded_main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that reaches its size limit
   io::watch_for_interrupt();
-  const bool silent = leaves_speaking(argc, argv);
+  const bool silent = is_silent_rank(argc, argv);
   const auto report = [silent](const std::string& message) {
     if (!silent) print_error(message);
   };

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "app/cli/ranks.h"
+#include "app/cli/launcher.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/study/folder.h"
@@ -11,9 +11,9 @@
 namespace pupflow::cli {
 namespace {
 
-int threads_of_rank(const Common& common, const mpi::Membership& self) {
-  const bool one_of_many = self.size > 1;  // launchers start one rank per core
-  return one_of_many && common.threads == 0 ? 1 : thread_count(common);
+int threads_of_rank(const Common& common, const mpi::RankInfo& self) {
+  if (self.size > 1 && common.threads == 0) return 1;  // launchers start one rank per core
+  return thread_count(common);
 }
 
 study::Design design_of(const SweepOptions& options, const std::string& name) {
@@ -30,9 +30,9 @@ study::Design design_of(const SweepOptions& options, const std::string& name) {
 
 void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& folder) {
   CommonHelp help;
-  help.settings = "seed is the base seed, from which every run's own is made";
+  help.settings = "seed is the base seed, from which the seed of each run is made";
   help.threads =
-      "Runs at a time (default: all cores; 1 a rank under MPI); changes no byte of any file";
+      "Runs at a time (default: all cores; under MPI 1 per rank); the files do not depend on it";
   help.out =
       "The folder for runs.csv, summary.csv, manifest.toml and the figure (default " + folder + ")";
   help.quiet = "No progress and no summary at the end";
@@ -42,32 +42,33 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
   app.add_option("--seeds", options.seeds, "Runs at each point (default 10)")
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
-  app.add_option("--shard", options.shard,
-                 "Compute only every n-th run, from the i-th on; 'pupflow merge' joins all n")
+  app.add_option(
+         "--shard", options.shard,
+         "Compute only every n-th run, from the i-th on; 'pupflow merge' joins all n shards")
       ->option_text("i/n")
       ->check(not_empty);
   app.footer(
-      "Finished runs are kept: after Ctrl-C, a full disk or a crash the same command goes on where "
-      "it\n"
-      "stopped. It refuses a folder that holds another sweep. Exit code 3 when the numbers of a "
-      "run went\n"
-      "wrong: its row says where, and it is left out of the means.");
+      "Finished runs are kept. After Ctrl-C, a full disk or a crash, the same command computes "
+      "the\n"
+      "missing runs. A folder that holds another sweep is refused. Exit code 3: the numbers of a "
+      "run\n"
+      "went wrong. Its row says where; the means leave it out.");
 }
 
 void run_sweep_verb(const SweepOptions& options, const std::string& name) {
-  mpi::Membership self = launched();
+  mpi::RankInfo self = launched_rank();
   self.threads = threads_of_rank(options.common, self);
-  std::unique_ptr<study::Crew> crew;
+  std::unique_ptr<study::Executor> all_ranks;
   if (self.size > 1) {
-    mpi::Ranks& ranks = load_ranks(self);
-    if (self.rank > 0) return ranks.serve(self);
-    crew = ranks.lead(self);
+    mpi::Interface& module = load_mpi(self);
+    if (self.rank > 0) return module.run_worker(self);
+    all_ranks = module.start_leader(self);
   }
   study::SweepJob job;
   job.design = design_of(options, name);
   job.folder = options.common.out.empty() ? name : options.common.out;
   job.threads = self.threads;
-  job.crew = crew.get();
+  job.executor = all_ranks.get();
   job.force = options.common.force;
   job.quiet = options.common.quiet;
   report_sweep(job.design, study::run_sweep(job), job.folder, job.quiet);

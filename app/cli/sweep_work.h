@@ -1,4 +1,4 @@
-// What the verbs that compute or join sweeps share: their options, the work, the report.
+// What the verbs that compute or join sweeps share: options, computation, report.
 #pragma once
 
 #include <string>
@@ -16,14 +16,15 @@ struct SweepOptions {
   std::string shard = "1/1";
 };
 
-/// Declares all of them but --vary; `folder` is the default of --out.
+/// Declares all options but --vary. `folder` is the default of --out.
 void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& folder);
 
-/// Computes the sweep, or what is missing of it, and reports. `name` is that of its picture and of
-/// its default folder. Throws io::Failure, with bad_numbers when runs went wrong.
+/// Computes the missing runs of the sweep, on all ranks of the job, and reports on rank 0. `name`
+/// is the name of its picture and of its default folder. Throws io::Failure: bad_numbers if runs
+/// went wrong.
 void run_sweep_verb(const SweepOptions& options, const std::string& name);
 
-/// What a finished sweep says at its end, unless `quiet`. Throws io::Failure(bad_numbers) when runs
+/// Prints the summary of a finished sweep, unless `quiet`. Throws io::Failure(bad_numbers) if runs
 /// went wrong.
 void report_sweep(const study::Design& design, const study::SweepResult& result,
                   const std::string& folder, bool quiet);

@@ -10,14 +10,12 @@
 namespace pupflow::mpi {
 namespace {
 
-constexpr std::chrono::milliseconds kPause{2};  // between two looks at the post
-
 void warn(int rank, const std::string& what) {
   std::fprintf(stderr, "pupflow: rank %d %s\n", rank, what.c_str());
 }
 
-/// MPI_Finalize would wait for a rank that is no more, and the launcher for one that hangs: once
-/// this program has written and said everything, it takes the whole job down, with its own code.
+/// Ends the whole job with the exit code of this process, after its last output. For a job with a
+/// lost rank: MPI_Finalize would wait for a rank that died, and the launcher for one that hangs.
 void abort_job_at_exit() {
   const auto abort_job = [](int code, void*) {
     std::fflush(nullptr);  // MPI_Abort does not
@@ -28,165 +26,154 @@ void abort_job_at_exit() {
 
 }  // namespace
 
-Leader::Leader(const Membership& self) : self_(self) {
-  workers_.resize(static_cast<std::size_t>(post_.size()));
-  looked_ = beaten_ = Clock::now();
-  for (Worker& worker : workers_) worker.heard = looked_;
+Leader::Leader(const RankInfo& self) : self_(self), timer_(self.lost_after, Clock::now()) {
+  peers_.resize(static_cast<std::size_t>(mailbox_.size()));
+  for (Peer& peer : peers_) peer.heard = Clock::now();
 }
 
 Leader::~Leader() {
-  leave();
+  stop_workers();
 }
 
 template <class Predicate>
-bool Leader::all(Predicate predicate) const {
-  return std::all_of(workers_.begin() + 1, workers_.end(), predicate);
+void Leader::wait_until_all(Predicate predicate) {
+  while (!std::all_of(peers_.begin() + 1, peers_.end(), predicate) && !io::interrupted()) {
+    communicate(nullptr);
+    std::this_thread::sleep_for(kPollInterval);
+  }
 }
 
-void Leader::muster() {
-  const auto here = [](const Worker& worker) {
-    return worker.lost || worker.state != Worker::State::awaited;
-  };
-  while (!all(here) && !io::interrupted()) {
-    read_post(nullptr);
-    look_after_others(nullptr);
-    std::this_thread::sleep_for(kPause);
-  }
+void Leader::wait_for_workers() {
+  wait_until_all([](const Peer& peer) { return peer.lost || peer.state != Peer::State::starting; });
   if (!difference_.empty()) throw io::Failure(io::ExitCode::bad_input, difference_);
 }
 
 void Leader::compute(std::int64_t count, const std::function<Params(std::int64_t)>& params_of,
                      const std::function<void(std::int64_t, const RunResult&)>& deliver,
                      const std::function<bool()>& stop) {
-  Work work{Agenda(count), {self_.threads, stop}, params_of, deliver};
-  while (!work.agenda.finished() && !stop()) {
-    hand_out(work);
-    collect(work);
-    read_post(&work);
-    look_after_others(&work);
+  Batch batch{RunQueue(count), {self_.threads, stop}, params_of, deliver};
+  while (!batch.queue.all_finished() && !stop()) {
+    assign_runs(batch);
+    collect_own_results(batch);
+    communicate(&batch);
   }
 }
 
-void Leader::hand_out(Work& work) {
-  const auto next = [&](int rank) -> std::optional<Task> {
-    const std::optional<std::int64_t> run = work.agenda.take(rank);
+void Leader::assign_runs(Batch& batch) {
+  const auto next_task = [&](int rank) -> std::optional<Task> {
+    const std::optional<std::int64_t> run = batch.queue.assign(rank);
     if (!run) return std::nullopt;
-    return Task{*run, work.params_of(*run)};
+    return Task{*run, batch.params_of(*run)};
   };
-  // One each in turn, so that a short sweep is not taken by the first rank that has many threads.
+  // One run per rank in turn, so that a rank with many threads does not get all runs of a short
+  // sweep.
   for (bool more = true; more;) {
     more = false;
-    for (int rank = post_.size() - 1; rank > 0; --rank) {
-      const Worker& worker = workers_[static_cast<std::size_t>(rank)];
-      if (worker.state != Worker::State::working || worker.lost ||
-          work.agenda.held_by(rank) >= worker.threads) {
+    for (int rank = mailbox_.size() - 1; rank > 0; --rank) {
+      const Peer& peer = peers_[static_cast<std::size_t>(rank)];
+      if (peer.state != Peer::State::working || peer.lost ||
+          batch.queue.assigned_to(rank) >= peer.threads) {
         continue;
       }
-      const std::optional<Task> task = next(rank);
+      const std::optional<Task> task = next_task(rank);
       if (!task) return;
-      post_.send(rank, Subject::task, pack(*task));
+      mailbox_.send(rank, Tag::task, pack(*task));
       more = true;
     }
-    if (work.pool.room() > 0) {
-      const std::optional<Task> task = next(0);
+    if (batch.pool.idle() > 0) {
+      const std::optional<Task> task = next_task(0);
       if (!task) return;
-      work.pool.begin(*task);
+      batch.pool.submit(*task);
       more = true;
     }
   }
 }
 
-void Leader::collect(Work& work) {
-  for (auto done = work.pool.finished(kPause); done; done = work.pool.finished({})) {
+void Leader::collect_own_results(Batch& batch) {
+  auto done = batch.pool.next_finished(kPollInterval);
+  for (; done; done = batch.pool.next_finished({})) {
     if (done->failure) std::rethrow_exception(done->failure);
     if (!done->result) continue;  // stopped
-    if (work.agenda.finish(0, done->run)) work.deliver(done->run, *done->result);
+    if (batch.queue.finish(0, done->run)) batch.deliver(done->run, *done->result);
   }
 }
 
-void Leader::read_post(Work* work) {
-  while (const std::optional<Letter> letter = post_.receive()) take(*letter, work);
+void Leader::communicate(Batch* batch) {
+  while (const std::optional<Message> message = mailbox_.receive()) handle(*message, batch);
+  check_heartbeats(batch);
 }
 
-void Leader::take(const Letter& letter, Work* work) {
-  Worker& worker = workers_[static_cast<std::size_t>(letter.from)];
-  worker.heard = Clock::now();
-  if (worker.lost) warn(letter.from, "is back");
-  worker.lost = false;
-  switch (letter.subject) {
-    case Subject::hello:
-      welcome(letter.from, worker, letter.bytes);
+void Leader::handle(const Message& message, Batch* batch) {
+  Peer& peer = peers_[static_cast<std::size_t>(message.source)];
+  peer.heard = Clock::now();
+  if (peer.lost) warn(message.source, "is back: a message arrived");
+  peer.lost = false;
+  switch (message.tag) {
+    case Tag::hello:
+      handle_hello(message.source, peer, message.bytes);
       break;
-    case Subject::result: {
-      if (!work) break;  // too late to be of use
-      const Result result = unpack<Result>(letter.bytes);
-      if (work->agenda.finish(letter.from, result.run)) work->deliver(result.run, result.result);
+    case Tag::result: {
+      if (!batch) break;  // compute() has returned
+      const Result result = unpack<Result>(message.bytes);
+      if (batch->queue.finish(message.source, result.run)) {
+        batch->deliver(result.run, result.result);
+      }
       break;
     }
-    case Subject::failed:
-      warn(letter.from, "computes no more: " + letter.bytes);
-      worker.state = Worker::State::retired;
-      if (work) work->agenda.give_back(letter.from);
+    case Tag::failed:
+      warn(message.source, "failed and computes no more runs: " + message.bytes);
+      peer.state = Peer::State::failed;
+      if (batch) batch->queue.requeue(message.source);
       break;
-    case Subject::bye:
-      worker.state = Worker::State::gone;
+    case Tag::stopped:
+      peer.state = Peer::State::stopped;
       break;
-    case Subject::beat:
-    case Subject::task:
-    case Subject::home:
-    case Subject::leave:
+    case Tag::heartbeat:
+    case Tag::task:
+    case Tag::stop:
+    case Tag::shutdown:
       break;
   }
 }
 
-void Leader::welcome(int rank, Worker& worker, const std::string& bytes) {
-  const std::string job = bytes.substr(sizeof(Hello));
-  worker.threads = static_cast<std::size_t>(unpack<Hello>(bytes).threads);
-  worker.state = Worker::State::working;
-  if (job == self_.job) return;
-  difference_ = "all ranks work on one sweep, but rank 0 was started as '" + self_.job +
-                "' and rank " + std::to_string(rank) + " as '" + job +
-                "'; processes that go their own ways need no MPI (srun --mpi=none)";
+void Leader::handle_hello(int rank, Peer& peer, const std::string& bytes) {
+  peer.threads = static_cast<std::size_t>(unpack<Hello>(bytes).threads);
+  peer.state = Peer::State::working;
+  const std::string command = bytes.substr(sizeof(Hello));
+  if (command == self_.command) return;
+  difference_ = "all ranks must be started with the same command, but rank 0 has '" +
+                self_.command + "' and rank " + std::to_string(rank) + " has '" + command +
+                "'; start independent processes without MPI (srun --mpi=none)";
 }
 
-/// Signs of life in both directions.
-void Leader::look_after_others(Work* work) {
+void Leader::check_heartbeats(Batch* batch) {
   const Clock::time_point now = Clock::now();
-  // A leader that was itself held up (stopped, or a slow disk) must not blame the others for it.
-  const Clock::duration held_up = now - looked_;
-  looked_ = now;
-  const bool beat = now - beaten_ >= self_.lost_after / 8;
-  if (beat) beaten_ = now;
-  for (int rank = 1; rank < post_.size(); ++rank) {
-    Worker& worker = workers_[static_cast<std::size_t>(rank)];
-    if (held_up > self_.lost_after / 4) worker.heard = now;
-    if (beat && post_.sent(rank)) post_.send(rank, Subject::beat);
-    if (worker.lost || worker.state == Worker::State::gone) continue;
-    if (now - worker.heard <= self_.lost_after) continue;
-    worker.lost = true;
-    if (work) work->agenda.give_back(rank);
-    warn(rank, "has been silent for too long; its runs go to others");
+  const HeartbeatTimer::Check check = timer_.check(now);
+  for (int rank = 1; rank < mailbox_.size(); ++rank) {
+    Peer& peer = peers_[static_cast<std::size_t>(rank)];
+    if (check.paused) peer.heard = now;
+    if (check.send && mailbox_.all_sent(rank)) mailbox_.send(rank, Tag::heartbeat);
+    if (peer.lost || peer.state == Peer::State::stopped) continue;
+    if (!timer_.is_lost(peer.heard, now)) continue;
+    peer.lost = true;
+    if (batch) batch->queue.requeue(rank);
+    warn(rank, "is lost: no message for " + std::to_string(self_.lost_after.count()) +
+                   " s; other ranks compute its runs");
   }
 }
 
-/// Nobody may be left hanging, and nothing here may wait for a rank that is no more.
-void Leader::leave() {
-  for (int rank = 1; rank < post_.size(); ++rank) post_.send(rank, Subject::home);
-  const auto settled = [](const Worker& worker) {
-    return worker.lost || worker.state == Worker::State::gone;
-  };
-  while (!all(settled) && !io::interrupted()) {
-    read_post(nullptr);
-    look_after_others(nullptr);
-    std::this_thread::sleep_for(kPause);
+/// No rank may wait forever, and this one may not wait for a lost rank.
+void Leader::stop_workers() {
+  for (int rank = 1; rank < mailbox_.size(); ++rank) mailbox_.send(rank, Tag::stop);
+  wait_until_all([](const Peer& peer) { return peer.lost || peer.state == Peer::State::stopped; });
+  if (io::interrupted()) return;  // the launcher ends the job at once
+  const bool finalize = std::all_of(peers_.begin() + 1, peers_.end(), [](const Peer& peer) {
+    return peer.state == Peer::State::stopped;
+  });
+  for (int rank = 1; rank < mailbox_.size(); ++rank) {
+    mailbox_.send(rank, Tag::shutdown, pack(Shutdown{finalize}));
   }
-  if (io::interrupted()) return;  // the launcher ends the job, and waits for nobody
-  const bool together =
-      all([](const Worker& worker) { return worker.state == Worker::State::gone; });
-  for (int rank = 1; rank < post_.size(); ++rank) {
-    post_.send(rank, Subject::leave, pack(Leave{together}));
-  }
-  if (together) {
+  if (finalize) {
     MPI_Finalize();
   } else {
     abort_job_at_exit();

@@ -1,61 +1,63 @@
-// Rank 0: hands runs to ranks as they become free, and computes too.
+// Rank 0: assigns runs to ranks as they become free, and computes runs too.
 #pragma once
 
 #include <vector>
 
-#include "app/mpi/agenda.h"
-#include "app/mpi/pool.h"
-#include "app/mpi/post.h"
-#include "app/mpi/ranks.h"
+#include "app/mpi/heartbeat.h"
+#include "app/mpi/interface.h"
+#include "app/mpi/mailbox.h"
+#include "app/mpi/run_queue.h"
+#include "app/mpi/thread_pool.h"
 
 namespace pupflow::mpi {
 
-class Leader : public study::Crew {
+class Leader : public study::Executor {
  public:
-  explicit Leader(const Membership& self);
+  explicit Leader(const RankInfo& self);
 
-  /// Sends the others home, without waiting for lost ones.
+  /// Stops the other ranks. Does not wait for lost ones.
   ~Leader() override;
 
-  /// Waits until every rank has said what it was told to do. Throws io::Failure(bad_input) when two
-  /// were told different things.
-  void muster();
+  /// Waits until every rank has said hello or is lost. Throws io::Failure(bad_input) if the command
+  /// lines of two ranks differ.
+  void wait_for_workers();
 
   void compute(std::int64_t count, const std::function<Params(std::int64_t)>& params_of,
                const std::function<void(std::int64_t, const RunResult&)>& deliver,
                const std::function<bool()>& stop) override;
 
  private:
-  using Clock = std::chrono::steady_clock;
-  struct Worker {
-    enum class State { awaited, working, retired, gone };  // gone: it said bye
-    State state = State::awaited;
-    bool lost = false;  // silent for too long; taken back when it speaks again
+  struct Peer {  // another rank
+    enum class State { starting, working, failed, stopped };
+    State state = State::starting;
+    bool lost = false;  // until it sends a message again
     std::size_t threads = 0;
-    Clock::time_point heard;
+    Clock::time_point heard;  // its last message
   };
-  struct Work {  // of one call of compute()
-    Agenda agenda;
-    Pool pool;
+  struct Batch {  // the runs of one call of compute()
+    RunQueue queue;
+    ThreadPool pool;
     const std::function<Params(std::int64_t)>& params_of;
     const std::function<void(std::int64_t, const RunResult&)>& deliver;
   };
 
-  void hand_out(Work& work);
-  void collect(Work& work);
-  void read_post(Work* work);
-  void take(const Letter& letter, Work* work);
-  void welcome(int rank, Worker& worker, const std::string& bytes);
-  void look_after_others(Work* work);
-  void leave();
+  void assign_runs(Batch& batch);
+  void collect_own_results(Batch& batch);
+  void handle(const Message& message, Batch* batch);
+  void handle_hello(int rank, Peer& peer, const std::string& bytes);
+  void check_heartbeats(Batch* batch);
+  /// Receives all messages and checks heartbeats; `batch` is null outside compute().
+  void communicate(Batch* batch);
+  /// Communicates until `predicate` is true for all other ranks, or this process is interrupted.
   template <class Predicate>
-  bool all(Predicate predicate) const;
+  void wait_until_all(Predicate predicate);
+  void stop_workers();
 
-  Membership self_;
-  Post post_;
-  std::vector<Worker> workers_;  // by rank; the first stands for this rank and is not used
-  Clock::time_point looked_, beaten_;
-  std::string difference_;  // between what two ranks were told to do
+  RankInfo self_;
+  Mailbox mailbox_;
+  std::vector<Peer> peers_;  // by rank; the first is this rank's and is not used
+  HeartbeatTimer timer_;
+  std::string difference_;  // an error message if the command lines of two ranks differ
 };
 
 }  // namespace pupflow::mpi

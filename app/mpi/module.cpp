@@ -1,4 +1,4 @@
-// The MPI module: what the program loads when mpirun or srun started it.
+// The MPI module: implements the interface.
 #include <mpi.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace pupflow::mpi {
 namespace {
 
-/// "Open MPI v4.1.4" of a longer text.
+/// For example "Open MPI v4.1.4".
 std::string library_name() {
   std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> text{};
   int length = 0;
@@ -20,9 +20,10 @@ std::string library_name() {
   return whole.substr(0, whole.find_first_of(",\n"));
 }
 
-/// Joins the other ranks. A launcher and an MPI that do not know each other leave every process
-/// alone, and each would do the whole sweep.
-void join(const Membership& self) {
+/// Initialises MPI. Throws io::Failure(bad_input) if MPI and the launcher disagree about rank or
+/// size: a launcher that belongs to another MPI starts independent processes, and each of them
+/// would compute the whole sweep.
+void initialise(const RankInfo& self) {
   int provided = MPI_THREAD_SINGLE, rank = 0, size = 1;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -35,25 +36,25 @@ void join(const Membership& self) {
                         ": start it with the mpirun of this MPI, or with srun --mpi=pmix");
 }
 
-class Module final : public Ranks {
+class Module final : public Interface {
  public:
-  std::unique_ptr<study::Crew> lead(const Membership& self) override {
-    join(self);
+  std::unique_ptr<study::Executor> start_leader(const RankInfo& self) override {
+    initialise(self);
     auto leader = std::make_unique<Leader>(self);
-    leader->muster();
+    leader->wait_for_workers();
     return leader;
   }
 
-  void serve(const Membership& self) override {
-    join(self);
-    work_for_leader(self);
+  void run_worker(const RankInfo& self) override {
+    initialise(self);
+    mpi::run_worker(self);
   }
 };
 
 }  // namespace
 }  // namespace pupflow::mpi
 
-extern "C" __attribute__((visibility("default"))) pupflow::mpi::Ranks* pupflow_mpi_entry() {
+extern "C" __attribute__((visibility("default"))) pupflow::mpi::Interface* pupflow_mpi_entry() {
   static pupflow::mpi::Module module;
   return &module;
 }

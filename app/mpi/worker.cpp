@@ -5,18 +5,16 @@
 
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
-#include "app/mpi/pool.h"
-#include "app/mpi/post.h"
+#include "app/mpi/heartbeat.h"
+#include "app/mpi/mailbox.h"
+#include "app/mpi/thread_pool.h"
 
 namespace pupflow::mpi {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr std::chrono::milliseconds kPause{2};
 constexpr int kLeader = 0;
 
-std::string reason(const std::exception_ptr& failure) {
+std::string message_of(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
   } catch (const std::exception& error) {
@@ -26,90 +24,95 @@ std::string reason(const std::exception_ptr& failure) {
 
 class Worker {
  public:
-  explicit Worker(const Membership& self) : self_(self) { pool_.emplace(self.threads, stop_); }
+  explicit Worker(const RankInfo& self) : self_(self) {
+    pool_.emplace(self.threads, io::interrupted);
+  }
 
-  void work() {
-    post_.send(kLeader, Subject::hello, pack(Hello{self_.threads}) + self_.job);
-    while (!sent_home_) {
-      report();
-      read_post();
-      give_signs_of_life();
+  void run() {
+    mailbox_.send(kLeader, Tag::hello, pack(Hello{self_.threads}) + self_.command);
+    while (!stop_) {
+      send_result();
+      communicate();
     }
     pool_.reset();
-    post_.send(kLeader, Subject::bye);
-    while (!leave_) {
-      std::this_thread::sleep_for(kPause);
-      read_post();
-      give_signs_of_life();
+    mailbox_.send(kLeader, Tag::stopped);
+    while (!shutdown_) {
+      std::this_thread::sleep_for(kPollInterval);
+      communicate();
     }
-    if (leave_->together) {
+    if (shutdown_->finalize) {
       MPI_Finalize();
     } else {
-      // Rank 0 goes first, with the program's exit code, and takes the others with it if it can.
+      // Rank 0 exits first, with the program's exit code, and ends the other ranks if it can.
       std::this_thread::sleep_for(std::chrono::seconds(1));
     }
   }
 
  private:
-  void report() {
-    if (!pool_) return std::this_thread::sleep_for(kPause);
-    const auto done = pool_->finished(kPause);
+  /// Waits for a result up to the poll interval.
+  void send_result() {
+    if (!pool_) return std::this_thread::sleep_for(kPollInterval);
+    const auto done = pool_->next_finished(kPollInterval);
     if (!done) return;
-    if (done->failure) return retire(reason(done->failure));
-    if (done->result) {
-      post_.send(kLeader, Subject::result, pack(Result{done->run, *done->result}));
+    if (done->failure) {
+      // This process must go on until rank 0 stops it: if it ended, the launcher would end the job.
+      pool_.reset();
+      mailbox_.send(kLeader, Tag::failed, message_of(done->failure));
+    } else if (done->result) {
+      mailbox_.send(kLeader, Tag::result, pack(Result{done->run, *done->result}));
     }
   }
 
-  /// Stays until it is sent home: a rank that leaves early takes the whole job with it.
-  void retire(const std::string& why) {
-    pool_.reset();
-    post_.send(kLeader, Subject::failed, why);
+  void communicate() {
+    receive_messages();
+    throw_if_interrupted();
+    check_heartbeats();
   }
 
-  void read_post() {
-    while (const std::optional<Letter> letter = post_.receive()) {
+  void receive_messages() {
+    while (const std::optional<Message> message = mailbox_.receive()) {
       heard_ = Clock::now();
-      if (letter->subject == Subject::task && pool_) pool_->begin(unpack<Task>(letter->bytes));
-      if (letter->subject == Subject::home) sent_home_ = true;
-      if (letter->subject == Subject::leave) leave_ = unpack<Leave>(letter->bytes);
+      if (message->tag == Tag::task && pool_) pool_->submit(unpack<Task>(message->bytes));
+      if (message->tag == Tag::stop) stop_ = true;
+      if (message->tag == Tag::shutdown) shutdown_ = unpack<Shutdown>(message->bytes);
     }
   }
 
-  void give_signs_of_life() {
-    if (io::interrupted()) {
-      // The launcher kills all ranks as soon as one has left: rank 0 goes first and says how far
-      // the sweep came. The launcher grants about a second.
-      std::this_thread::sleep_for(std::chrono::milliseconds(500));
-      throw io::Failure(io::ExitCode::interrupted, "interrupted");
-    }
+  static void throw_if_interrupted() {
+    if (!io::interrupted()) return;
+    // The launcher kills all ranks when the first one exits, and grants about a second after the
+    // signal. Wait, so that rank 0 exits first and prints how many runs are finished.
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    throw io::Failure(io::ExitCode::interrupted, "interrupted");
+  }
+
+  void check_heartbeats() {
     const Clock::time_point now = Clock::now();
-    if (now - looked_ > self_.lost_after / 4) heard_ = now;  // held up itself
-    looked_ = now;
-    if (now - heard_ > self_.lost_after) {
-      // Said here: what comes after rank 0 speaks for all ranks, and it is no more.
-      std::fprintf(stderr, "pupflow: rank %d leaves: rank 0 has been silent for too long\n",
-                   self_.rank);
-      throw io::Failure(io::ExitCode::interrupted, "rank 0 has been silent for too long");
+    const HeartbeatTimer::Check check = timer_.check(now);
+    if (check.paused) heard_ = now;
+    if (timer_.is_lost(heard_, now)) {
+      const std::string reason =
+          "no message from rank 0 for " + std::to_string(self_.lost_after.count()) + " s";
+      // Printed here, since main() prints errors on rank 0 only.
+      std::fprintf(stderr, "pupflow: rank %d stops: %s\n", self_.rank, reason.c_str());
+      throw io::Failure(io::ExitCode::interrupted, reason);
     }
-    if (now - beaten_ < self_.lost_after / 8) return;
-    beaten_ = now;
-    if (post_.sent(kLeader)) post_.send(kLeader, Subject::beat);
+    if (check.send && mailbox_.all_sent(kLeader)) mailbox_.send(kLeader, Tag::heartbeat);
   }
 
-  Membership self_;
-  Post post_;
-  std::function<bool()> stop_ = [] { return io::interrupted(); };
-  std::optional<Pool> pool_;
-  bool sent_home_ = false;
-  std::optional<Leave> leave_;
-  Clock::time_point heard_ = Clock::now(), looked_ = heard_, beaten_ = heard_;
+  RankInfo self_;
+  Mailbox mailbox_;
+  std::optional<ThreadPool> pool_;  // empty after a failure and after a stop
+  bool stop_ = false;               // rank 0 has sent Tag::stop
+  std::optional<Shutdown> shutdown_;
+  Clock::time_point heard_ = Clock::now();  // the last message from rank 0
+  HeartbeatTimer timer_{self_.lost_after, heard_};
 };
 
 }  // namespace
 
-void work_for_leader(const Membership& self) {
-  Worker(self).work();
+void run_worker(const RankInfo& self) {
+  Worker(self).run();
 }
 
 }  // namespace pupflow::mpi

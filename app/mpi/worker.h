@@ -1,12 +1,12 @@
-// A rank other than 0: computes what rank 0 hands out.
+// A rank other than 0: computes the runs that rank 0 assigns.
 #pragma once
 
-#include "app/mpi/ranks.h"
+#include "app/mpi/interface.h"
 
 namespace pupflow::mpi {
 
-/// Returns when rank 0 sent this rank home. Throws io::Failure(interrupted) after a signal, or when
-/// rank 0 has been silent for too long.
-void work_for_leader(const Membership& self);
+/// Returns when rank 0 has stopped this rank. Throws io::Failure(interrupted) after a signal or
+/// when rank 0 is lost.
+void run_worker(const RankInfo& self);
 
 }  // namespace pupflow::mpi

@@ -31,8 +31,8 @@ void compute(const SweepJob& job, Journal& journal) {
     journal.add(make_row(missing[static_cast<std::size_t>(i)], result));
     progress.update(++done);
   };
-  if (job.crew) {
-    job.crew->compute(total, params_of, deliver, io::interrupted);
+  if (job.executor) {
+    job.executor->compute(total, params_of, deliver, io::interrupted);
   } else {
     run_ensemble(total, job.threads, params_of, deliver, io::interrupted);
   }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/study/crew.h"
+#include "app/study/executor.h"
 #include "app/study/results.h"
 
 namespace pupflow::study {
@@ -13,8 +13,8 @@ struct SweepJob {
   Design design;
   std::string folder;
   int threads = 1;
-  Crew* crew = nullptr;  // computes in place of this process's threads
-  bool force = false;    // start afresh where another sweep is
+  Executor* executor = nullptr;  // computes the runs instead of the threads of this process
+  bool force = false;            // start afresh where another sweep is
   bool quiet = false;
 };
 

@@ -34,7 +34,7 @@ const std::vector<Layer> kLayers = {
     {"app/io", {kPublic}},
     {"app/study", {kPublic, "app/io"}},
     {"app/report", {kPublic, "engine", "app/io", "app/study"}},
-    {"app/mpi", {kPublic, "app/io", "app/study/crew.h"}},
+    {"app/mpi", {kPublic, "app/io", "app/study/executor.h"}},
     {"app/view", {kPublic, "app/io"}},
     {"app/gl", {kPublic, "app/io", "app/view"}},
     {"app/context", {"app/io", "app/gl/load.h"}},
@@ -42,7 +42,7 @@ const std::vector<Layer> kLayers = {
     {"app/window", {kPublic, "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
     {"app/pictures/module.cpp", {"app/io", "app/context", "app/pictures", "app/window"}},
     {"app/cli",
-     {kPublic, "app/io", "app/study", "app/report", "app/view", "app/mpi/ranks.h",
+     {kPublic, "app/io", "app/study", "app/report", "app/view", "app/mpi/interface.h",
       "app/pictures/graphics.h"}},
     {"bench", {kPublic, "engine", "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
 };

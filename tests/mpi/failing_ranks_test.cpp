@@ -1,4 +1,4 @@
-// Ranks that die, hang or are told to stop cost time, and no finished run.
+// Ranks that are killed, hang or are interrupted: no finished run is lost.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/mpi/ranks.h"
+#include "tests/mpi/mpirun.h"
 
 namespace pupflow::mpi::test {
 namespace {
@@ -16,12 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Enough to be caught in the middle: mpirun takes a second to pass a signal on.
+// Long enough to be disturbed in the middle: mpirun forwards a signal after a second.
 constexpr int kSeeds = 40, kSteps = 6000;
 
 class FailingRanks : public Ranks {
  protected:
-  /// Waits for the first finished runs.
+  /// Waits until some runs are finished.
   void wait_for_runs() const {
     for (int wait = 0; wait < 30'000; ++wait) {
       if (exists("s/journal.csv")) {
@@ -47,7 +47,8 @@ class FailingRanks : public Ranks {
     throw std::runtime_error("no such rank");
   }
 
-  /// Starts the sweep over ranks, and sends `signal` to one of them, or to mpirun, in the middle.
+  /// Starts the sweep on `ranks` ranks and, in the middle, sends `signal` to one of them or to
+  /// mpirun.
   Outcome disturbed(int ranks, int signal, std::optional<int> rank, const Words& options = {}) {
     Running job("/usr/bin/env", mpirun(ranks, sweep(kSeeds, "s", kSteps), options), folder());
     wait_for_runs();
@@ -64,7 +65,7 @@ class FailingRanks : public Ranks {
     expect_same("undisturbed", "s");
   }
 
-  /// That the job was cut off, and that the same command goes on from there.
+  /// Expects that the job was cut off, and that the same command computes the missing runs.
   void expect_resumed(int ranks) const {
     EXPECT_FALSE(exists("s/runs.csv"));
     const Outcome outcome = run(mpirun(ranks, sweep(kSeeds, "s", kSteps)));
@@ -74,33 +75,33 @@ class FailingRanks : public Ranks {
   }
 };
 
-TEST_F(FailingRanks, OneKilledCostsOnlyItsRunsWhereTheLauncherLetsTheOthersGoOn) {
+TEST_F(FailingRanks, WithRecoveryOtherRanksComputeTheRunsOfAKilledOne) {
   const Outcome outcome = disturbed(4, SIGKILL, 2, {"--enable-recovery"});
-  EXPECT_THAT(outcome.err, HasSubstr("pupflow: rank 2 has been silent for too long"));
+  EXPECT_THAT(outcome.err, HasSubstr("pupflow: rank 2 is lost: no message for 1 s"));
   expect_whole();
 }
 
-TEST_F(FailingRanks, OneKilledTakesTheJobWithItElseAndTheSameCommandGoesOn) {
+TEST_F(FailingRanks, WithoutRecoveryAKilledRankEndsTheJobAndTheSameCommandResumes) {
   const Outcome outcome = disturbed(2, SIGKILL, 1);
   EXPECT_NE(outcome.code, 0);
   expect_resumed(4);
 }
 
-TEST_F(FailingRanks, TheFirstKilledEndsTheJobAndTheSameCommandGoesOn) {
+TEST_F(FailingRanks, RankZeroKilledEndsTheJobAndTheSameCommandResumes) {
   const Outcome outcome = disturbed(2, SIGKILL, 0, {"--enable-recovery"});
-  EXPECT_THAT(outcome.err, HasSubstr("rank 1 leaves: rank 0 has been silent for too long"));
+  EXPECT_THAT(outcome.err, HasSubstr("rank 1 stops: no message from rank 0 for 1 s"));
   expect_resumed(2);
 }
 
-TEST_F(FailingRanks, OneThatHangsIsGivenUpAndTakenDownAtTheEnd) {
+TEST_F(FailingRanks, OneThatHangsIsLostAndEndedWithTheJob) {
   const Outcome outcome = disturbed(4, SIGSTOP, 3);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("pupflow: rank 3 has been silent for too long"));
+  EXPECT_THAT(outcome.err, HasSubstr("pupflow: rank 3 is lost: no message for 1 s"));
   EXPECT_THAT(outcome.out, HasSubstr("200 runs in s/runs.csv\n"));
   expect_whole();
 }
 
-TEST_F(FailingRanks, InterruptedTheyKeepWhatIsFinished) {
+TEST_F(FailingRanks, InterruptedTheyKeepFinishedRuns) {
   for (const int signal : {SIGINT, SIGTERM}) {
     fs::remove_all(scratch_.path("s"));
     const Outcome outcome = disturbed(2, signal, std::nullopt);
@@ -111,7 +112,7 @@ TEST_F(FailingRanks, InterruptedTheyKeepWhatIsFinished) {
   expect_resumed(2);
 }
 
-TEST_F(FailingRanks, TheFirstInterruptedEndsTheJobWithItsCode) {
+TEST_F(FailingRanks, RankZeroInterruptedEndsTheJobWithItsCode) {
   EXPECT_EQ(disturbed(2, SIGTERM, 0).code, 130);
   expect_resumed(2);
 }

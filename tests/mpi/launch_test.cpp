@@ -1,4 +1,4 @@
-// What a launcher's variables make of the program where there is no MPI module.
+// The program with a launcher's environment variables and without the MPI module.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ class Launch : public testing::Test {
   const test::Scratch scratch_;
 };
 
-TEST_F(Launch, RanksWithoutTheModuleAreRefusedByTheFirstOfThem) {
+TEST_F(Launch, WithoutTheModuleRanksAreRefusedAndOnlyRankZeroSaysSo) {
   const std::vector<std::pair<std::string, std::string>> launchers{
       {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
       {"PMI_RANK", "PMI_SIZE"},
@@ -54,25 +54,26 @@ TEST_F(Launch, AModuleThatDoesNotLoadIsReportedWithTheReason) {
   EXPECT_THAT(pupflow({"PMI_RANK=0", "PMI_SIZE=4"}, sweep_).err, HasSubstr("invalid ELF header"));
 }
 
-TEST_F(Launch, OneProcessOrAStepWithoutMpiWorksAlone) {
+TEST_F(Launch, OneProcessOrAJobStepWithoutMpiComputesAlone) {
   EXPECT_EQ(pupflow({"OMPI_COMM_WORLD_RANK=0", "OMPI_COMM_WORLD_SIZE=1"}, sweep_).code, 0);
   EXPECT_EQ(pupflow({"SLURM_PROCID=0", "SLURM_STEP_NUM_TASKS=4"}, sweep_).code, 0);
   EXPECT_TRUE(std::filesystem::exists(scratch_.path("sweep/summary.csv")));
 }
 
-TEST_F(Launch, OtherVerbsDoNotLook) {
+TEST_F(Launch, OtherVerbsIgnoreTheLauncher) {
   const Outcome outcome = pupflow({"PMI_RANK=1", "PMI_SIZE=4"}, {"params", "--nonsense"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("--nonsense"));
   EXPECT_EQ(pupflow({"PMI_RANK=1", "PMI_SIZE=4"}, {"params"}).code, 0);
 }
 
-TEST_F(Launch, TheSilenceAllowedMustBeSeconds) {
+TEST_F(Launch, LostAfterMustBeAWholeNumberOfSeconds) {
   for (const char* text : {"", "0", "-3", "1.5", "soon"}) {
     const Outcome outcome =
         pupflow({"PMI_RANK=0", "PMI_SIZE=4", std::string("PUPFLOW_LOST_AFTER=") + text}, sweep_);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.err, StartsWith("pupflow: PUPFLOW_LOST_AFTER: "));
+    EXPECT_THAT(outcome.err, HasSubstr("not '" + std::string(text) + "'\n"));
   }
 }
 

@@ -1,5 +1,5 @@
-// Ranks that all work: the same files as one process makes, the same refusals, the same exit codes.
-#include "tests/mpi/ranks.h"
+// Ranks that all work: the same files, errors and exit codes as those of one process.
+#include "tests/mpi/mpirun.h"
 
 #include <gmock/gmock.h>
 
@@ -21,7 +21,7 @@ TEST_F(Ranks, TwoOrFourGiveTheFilesOfOneProcessToTheByte) {
   }
 }
 
-TEST_F(Ranks, WithThreadsOfTheirOwnToo) {
+TEST_F(Ranks, WithSeveralThreadsEachToo) {
   ASSERT_EQ(alone(sweep(4, "threads")).code, 0);
   EXPECT_EQ(run(mpirun(2, sweep(4, "ranks") + Words{"--threads", "3"})).code, 0);
   expect_same("threads", "ranks");
@@ -64,7 +64,7 @@ TEST_F(Ranks, RunsThatGoWrongEndWithTheSameCodeAndRows) {
   expect_same("threads", "ranks");
 }
 
-TEST_F(Ranks, OnlyTheFirstComplains) {
+TEST_F(Ranks, OnlyRankZeroPrintsErrors) {
   for (const Words& words :
        {sweep(1, "s") + Words{"--sedes", "2"}, sweep(1, "s") + Words{"--vary", "taa=1"}}) {
     const Outcome outcome = run(mpirun(4, words));
@@ -76,18 +76,18 @@ TEST_F(Ranks, OnlyTheFirstComplains) {
   EXPECT_FALSE(exists("s"));
 }
 
-TEST_F(Ranks, AFolderThatCannotBeMadeSendsAllHome) {
+TEST_F(Ranks, AFolderThatCannotBeMadeStopsAll) {
   scratch_.file("taken", "a file");
   const Outcome outcome = run(mpirun(4, sweep(1, "taken/s")));
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("taken/s"));
 }
 
-TEST_F(Ranks, ToldDifferentThingsAreRefused) {
+TEST_F(Ranks, WithDifferentCommandsAreRefused) {
   const Outcome outcome =
       run(mpirun(1, sweep(1, "a")) + Words{":", "-n", "1", PUPFLOW_PROGRAM} + sweep(1, "b"));
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("--out b'; processes that go their own ways need no MPI"));
+  EXPECT_THAT(outcome.err, HasSubstr("--out b'; start independent processes without MPI"));
   EXPECT_FALSE(exists("a"));
 }
 

@@ -1,44 +1,45 @@
-#include "app/mpi/pool.h"
+#include "app/mpi/thread_pool.h"
 
 #include <utility>
 
 namespace pupflow::mpi {
 
-Pool::Pool(int threads, std::function<bool()> stop) : stop_(std::move(stop)), room_(threads) {
+ThreadPool::ThreadPool(int threads, std::function<bool()> stop)
+    : stop_(std::move(stop)), idle_(threads) {
   for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
 }
 
-Pool::~Pool() {
+ThreadPool::~ThreadPool() {
   {
     const std::lock_guard lock(mutex_);
     closing_ = true;
   }
-  task_came_.notify_all();
+  task_added_.notify_all();
 }
 
-void Pool::begin(const Task& task) {
-  --room_;
+void ThreadPool::submit(const Task& task) {
+  --idle_;
   {
     const std::lock_guard lock(mutex_);
     tasks_.push_back(task);
   }
-  task_came_.notify_one();
+  task_added_.notify_one();
 }
 
-std::optional<Pool::Finished> Pool::finished(std::chrono::milliseconds patience) {
+std::optional<ThreadPool::Finished> ThreadPool::next_finished(std::chrono::milliseconds timeout) {
   std::unique_lock lock(mutex_);
-  if (!task_finished_.wait_for(lock, patience, [this] { return !finished_.empty(); }))
+  if (!task_finished_.wait_for(lock, timeout, [this] { return !finished_.empty(); }))
     return std::nullopt;
   Finished first = std::move(finished_.front());
   finished_.pop_front();
-  ++room_;
+  ++idle_;
   return first;
 }
 
-void Pool::work() {
+void ThreadPool::work() {
   while (true) {
     std::unique_lock lock(mutex_);
-    task_came_.wait(lock, [this] { return closing_ || !tasks_.empty(); });
+    task_added_.wait(lock, [this] { return closing_ || !tasks_.empty(); });
     if (closing_) return;
     const Task task = tasks_.front();
     tasks_.pop_front();

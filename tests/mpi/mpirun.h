@@ -1,4 +1,4 @@
-// Small sweeps over ranks, started by the real mpirun.
+// Small sweeps over several ranks, started with mpirun.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ class Ranks : public testing::Test {
     return pupflow::test::run_program(PUPFLOW_PROGRAM, words, folder());
   }
 
-  /// The words that start `ranks` ranks; a silent one is given up after a second.
+  /// The arguments of `env` that start `ranks` ranks. A rank is lost after a second.
   static Words mpirun(int ranks, const Words& words, const Words& options = {}) {
     return Words{"PUPFLOW_LOST_AFTER=1", PUPFLOW_MPIRUN, "--oversubscribe", "--allow-run-as-root"} +
            options + Words{"-n", std::to_string(ranks), PUPFLOW_PROGRAM} + words;
@@ -64,7 +64,7 @@ class Ranks : public testing::Test {
     }
     return files;
   }
-  /// That two folders hold the same files to the byte, without printing pictures when not.
+  /// Expects the same files, byte for byte, in two folders. Does not print their bytes.
   void expect_same(const std::string& a, const std::string& b) const {
     const auto in_a = files_of(a), in_b = files_of(b);
     ASSERT_EQ(in_a.size(), in_b.size());

@@ -1,4 +1,4 @@
-#include "app/cli/ranks.h"
+#include "app/cli/launcher.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,16 +9,18 @@
 #include "app/cli/module.h"
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
+#include "app/io/text.h"
 
 namespace pupflow::cli {
 namespace {
 
+/// The environment variables that hold a process's rank and the number of ranks.
 struct Launcher {
   const char *rank, *size;
 };
 
-// A job step of Slurm has its size in SLURM_STEP_NUM_TASKS whether or not it is an MPI job; one
-// that is has a rank of PMI or PMIx too.
+// Slurm sets SLURM_STEP_NUM_TASKS for every job step; only a step that is an MPI job has a rank of
+// PMI or PMIx too.
 constexpr Launcher kLaunchers[] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
                                    {"PMI_RANK", "PMI_SIZE"},
                                    {"PMIX_RANK", "SLURM_STEP_NUM_TASKS"}};
@@ -33,19 +35,20 @@ std::optional<int> number_in(const char* variable) {
   return number;
 }
 
-struct Place {
-  int rank = 0, size = 1;
-};
-
-Place place_among_ranks() {
+/// Rank and size only.
+mpi::RankInfo rank_from_environment() {
+  mpi::RankInfo self;
   for (const Launcher& launcher : kLaunchers) {
     const std::optional<int> rank = number_in(launcher.rank), size = number_in(launcher.size);
-    if (rank && size && *size > 1) return {*rank, *size};
+    if (!rank || !size || *size < 2) continue;
+    self.rank = *rank;
+    self.size = *size;
+    break;
   }
-  return {};
+  return self;
 }
 
-/// The words that this process was started with.
+/// The command line of this process, with spaces between its arguments.
 std::string command_line() {
   std::string words = io::read_file("/proc/self/cmdline", std::size_t{1} << 22);
   while (words.ends_with('\0')) words.pop_back();
@@ -53,35 +56,34 @@ std::string command_line() {
   return words;
 }
 
-std::chrono::milliseconds lost_after(std::chrono::milliseconds otherwise) {
+std::chrono::seconds lost_after(std::chrono::seconds default_value) {
   constexpr const char* kVariable = "PUPFLOW_LOST_AFTER";
-  if (!std::getenv(kVariable)) return otherwise;
+  const char* text = std::getenv(kVariable);
+  if (!text) return default_value;
   const std::optional<int> seconds = number_in(kVariable);
   if (seconds && *seconds >= 1) return std::chrono::seconds(*seconds);
   throw io::Failure(io::ExitCode::bad_input,
-                    std::string(kVariable) + ": must be a whole number of seconds, at least 1");
+                    std::string(kVariable) +
+                        ": must be a whole number of seconds, at least 1, not " + io::quoted(text));
 }
 
 }  // namespace
 
-mpi::Membership launched() {
-  mpi::Membership self;
-  const Place place = place_among_ranks();
-  if (place.size < 2) return self;
-  self.rank = place.rank;
-  self.size = place.size;
+mpi::RankInfo launched_rank() {
+  mpi::RankInfo self = rank_from_environment();
+  if (self.size < 2) return self;
   self.lost_after = lost_after(self.lost_after);
-  self.job = command_line();
+  self.command = command_line();
   return self;
 }
 
-bool leaves_speaking(int argc, char** argv) {
+bool is_silent_rank(int argc, char** argv) {
   const std::string_view verb = argc > 1 ? argv[1] : "";
-  return (verb == "sweep" || verb == "figure2") && place_among_ranks().rank > 0;
+  return (verb == "sweep" || verb == "figure2") && rank_from_environment().rank > 0;
 }
 
-mpi::Ranks& load_ranks(const mpi::Membership& self) {
-  const Module module = load_module("libpupflow_mpi.so", mpi::kRanksEntry);
+mpi::Interface& load_mpi(const mpi::RankInfo& self) {
+  const Module module = load_module("libpupflow_mpi.so", mpi::kEntry);
   if (!module.entry) {
     throw io::Failure(
         io::ExitCode::bad_input,
@@ -90,7 +92,7 @@ mpi::Ranks& load_ranks(const mpi::Membership& self) {
                             : "its MPI module cannot be loaded: " + module.problem) +
             ", or give each process a share with --shard");
   }
-  return *reinterpret_cast<mpi::RanksEntry>(module.entry)();
+  return *reinterpret_cast<mpi::Entry>(module.entry)();
 }
 
 }  // namespace pupflow::cli

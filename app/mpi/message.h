@@ -1,0 +1,68 @@
+// The messages between ranks. All ranks run the same executable, so a struct is sent as its bytes.
+#pragma once
+
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include "pupflow/ensemble.h"
+
+namespace pupflow::mpi {
+
+/// The MPI tag of a message: its kind, which says what its bytes hold.
+enum class Tag {
+  hello,      // from a worker: Hello, then its command line
+  task,       // from the leader: Task
+  result,     // from a worker: Result
+  failed,     // from a worker: it computes no more; the reason as text
+  heartbeat,  // both ways: the sender is alive; no bytes
+  stop,       // from the leader: compute no more; no bytes
+  stopped,    // from a worker: it has stopped; no bytes
+  shutdown    // from the leader, its last message: Shutdown
+};
+
+/// A message as it was received.
+struct Message {
+  int source;  // rank of the sender
+  Tag tag;
+  std::string bytes;
+};
+
+struct Hello {
+  int threads;  // that compute on this rank
+};
+
+struct Task {
+  std::int64_t run;
+  Params params;
+};
+
+struct Result {
+  std::int64_t run;
+  RunResult result;
+};
+
+struct Shutdown {
+  bool finalize;  // call MPI_Finalize; false if a rank is lost, since MPI_Finalize waits for all
+};
+
+template <class T>
+std::string pack(const T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  return bytes;
+}
+
+/// The struct at the beginning of `bytes`. Throws std::runtime_error if they are too short.
+template <class T>
+T unpack(const std::string& bytes) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  T value;
+  if (bytes.size() < sizeof value) throw std::runtime_error("a message between ranks is too short");
+  std::memcpy(&value, bytes.data(), sizeof value);
+  return value;
+}
+
+}  // namespace pupflow::mpi

@@ -1,7 +1,6 @@
 // The MPI module: implements the interface.
 #include <mpi.h>
 
-#include <algorithm>
 #include <array>
 
 #include "app/io/failure.h"

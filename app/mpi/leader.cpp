@@ -32,7 +32,12 @@ Leader::Leader(const RankInfo& self) : self_(self), timer_(self.lost_after, Cloc
 }
 
 Leader::~Leader() {
-  stop_workers();
+  try {
+    stop_workers();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "pupflow: rank 0 cannot stop the other ranks: %s\n", error.what());
+    abort_job_at_exit();
+  }
 }
 
 template <class Predicate>

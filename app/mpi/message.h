@@ -55,7 +55,8 @@ std::string pack(const T& value) {
   return bytes;
 }
 
-/// The struct at the beginning of `bytes`. Throws std::runtime_error if they are too short.
+/// The struct at the beginning of `bytes`. Throws std::runtime_error if they are too short, as from
+/// a rank that runs another version of the program.
 template <class T>
 T unpack(const std::string& bytes) {
   static_assert(std::is_trivially_copyable_v<T>);

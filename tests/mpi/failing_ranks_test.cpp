@@ -101,6 +101,20 @@ TEST_F(FailingRanks, OneThatHangsIsLostAndEndedWithTheJob) {
   expect_whole();
 }
 
+TEST_F(FailingRanks, OneThatWasPausedIsLostAndComesBack) {
+  Running job("/usr/bin/env", mpirun(4, sweep(kSeeds, "s", kSteps)), folder());
+  wait_for_runs();
+  const pid_t paused = process_of(3);
+  ::kill(paused, SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  ::kill(paused, SIGCONT);
+  const Outcome outcome = job.wait();
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("pupflow: rank 3 is lost: no message for 1 s"));
+  EXPECT_THAT(outcome.err, HasSubstr("pupflow: rank 3 is back"));
+  expect_whole();
+}
+
 TEST_F(FailingRanks, InterruptedTheyKeepFinishedRuns) {
   for (const int signal : {SIGINT, SIGTERM}) {
     fs::remove_all(scratch_.path("s"));

@@ -48,7 +48,7 @@ void measure_crowds(Precision precision, const char* name, int rounds, Verdicts&
     for (Crowd& crowd : crowds) crowd.pup_step.push_back(pup_step_time(crowd));
   }
   for (const Crowd& crowd : crowds) {
-    const double touching = static_cast<double>(crowd.simulation.touching().size());
+    const double touching = static_cast<double>(crowd.simulation.view().touching.size());
     std::printf("| %s, %d | %.2f | %.2f | %.2f | %s |\n", name, crowd.pups(),
                 median(crowd.pup_step), ratio(crowd.pup_step, crowds.front().pup_step),
                 touching / crowd.pups(), hash_text(crowd.simulation.hash()).c_str());

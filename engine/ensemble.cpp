@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/rng.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow {
 
@@ -17,13 +18,13 @@ std::optional<RunResult> run_to_end(const Params& params, const std::function<bo
   // Flow compares with the state flow_lag steps before, so watching begins that much before the
   // means.
   const std::int64_t first = std::max<std::int64_t>(params.discard - params.flow_lag, 0);
-  simulation.set_observed(false);
+  simulation.set_observed({});
   std::optional<Observer> observer;
   while (simulation.steps_done() < params.steps) {
     if (stop()) return std::nullopt;
     if (simulation.steps_done() == first) observer.emplace(simulation);
     if (simulation.steps_done() == std::max<std::int64_t>(first - 1, 0))
-      simulation.set_observed(true);
+      simulation.set_observed(kContactRecords);
     if (!simulation.step().ok()) break;
     if (simulation.steps_done() > params.discard) {
       means.add(simulation, observer->observe(simulation));

@@ -53,7 +53,7 @@ double volume(const double* a, const double* b, const double* c, const double* p
 /// What a meter keeps from one litter to the next.
 class OverlapMeter::Memory {
  public:
-  Overlap measure(const Simulation& simulation);
+  Overlap measure(const LitterView& litter);
 
  private:
   /// A body's triangles, by the slabs of y that they cross.
@@ -143,16 +143,16 @@ void OverlapMeter::Memory::find_inside(int pup, int body) {
   }
 }
 
-Overlap OverlapMeter::Memory::measure(const Simulation& simulation) {
-  const int pups = simulation.pups();
-  points_ = simulation.points();
-  if (face_points_ != simulation.params().face_points) {
-    face_points_ = simulation.params().face_points;
+Overlap OverlapMeter::Memory::measure(const LitterView& litter) {
+  const int pups = litter.pups;
+  points_ = litter.points;
+  if (face_points_ != litter.params.face_points) {
+    face_points_ = litter.params.face_points;
     triangles_ = surface_triangles(face_points_);
   }
   const std::size_t all = static_cast<std::size_t>(pups) * points_;
   xyz_.resize(3 * all);
-  simulation.copy_positions(xyz_);
+  litter.positions.copy_to(xyz_);
   bounds_.resize(pups);
   centres_.assign(pups, Eigen::Vector3d::Zero());
   for (int pup = 0; pup < pups; ++pup) {
@@ -184,7 +184,7 @@ Overlap OverlapMeter::Memory::measure(const Simulation& simulation) {
     overlap.least = *std::min_element(nearest.begin(), nearest.end());
     overlap.nearest = std::accumulate(nearest.begin(), nearest.end(), 0.0) / pups;
   }
-  const std::span<const int> touched = simulation.touched_pup();
+  const std::span<const int> touched = litter.touched;
   std::int64_t inside = 0, exposed = 0;
   for (std::size_t i = 0; i < all; ++i) {
     inside += inside_[i];
@@ -201,12 +201,12 @@ OverlapMeter::OverlapMeter(OverlapMeter&&) noexcept = default;
 OverlapMeter& OverlapMeter::operator=(OverlapMeter&&) noexcept = default;
 OverlapMeter::~OverlapMeter() = default;
 
-Overlap OverlapMeter::measure(const Simulation& simulation) {
-  return memory_->measure(simulation);
+Overlap OverlapMeter::measure(const LitterView& litter) {
+  return memory_->measure(litter);
 }
 
-Overlap measure_overlap(const Simulation& simulation) {
-  return OverlapMeter().measure(simulation);
+Overlap measure_overlap(const LitterView& litter) {
+  return OverlapMeter().measure(litter);
 }
 
 void OverlapMeans::add(const Overlap& overlap) {

@@ -20,9 +20,12 @@ constexpr PartRow kParts[kPartCount] = {
     {Part::owners, Stage::contact, "touched pups"},
     {Part::pairs, Stage::contact, "touching pairs"},
     {Part::turn, Stage::steering, "turn"},
+    {Part::direction, Stage::steering, "direction"},
+    {Part::sides, Stage::steering, "felt sides"},
     {Part::mean_temperature, Stage::heat, "mean T_c"},
     {Part::rotation, Stage::shape_match, "rotation"},
     {Part::quadratic, Stage::shape_match, "quadratic terms"},
+    {Part::strain, Stage::shape_match, "strain"},
 };
 
 Verdict decide_boundary(const Params& p) {
@@ -83,6 +86,7 @@ Verdict decide_quadratic(const Params& p) {
   return {true, "goals bend with the body"};
 }
 
+/// Whether the motion or the heat of the litter needs `stage`.
 Verdict decide(Stage stage, const Params& p) {
   switch (stage) {
     case Stage::boundary:
@@ -101,6 +105,21 @@ Verdict decide(Stage stage, const Params& p) {
   return {true, ""};
 }
 
+/// A part that records something for an observer.
+Verdict decide_record(bool observed) {
+  if (!observed) return {false, "only an observer reads it"};
+  return {true, "read by an observer"};
+}
+
+/// Whether a step needs `stage`: for the litter, or for what an observer reads of it.
+Verdict decide(Stage stage, const Params& p, PartSet observed) {
+  const Verdict verdict = decide(stage, p);
+  if (verdict.needed || p.pups == 0) return verdict;
+  const bool records = (stage == Stage::steering && observed.has(Part::sides)) ||
+                       (stage == Stage::shape_match && observed.has(Part::strain));
+  return records ? decide_record(true) : verdict;
+}
+
 /// A part of the contact stage, which is needed if anybody reads it.
 Verdict decide_readers(bool heat, bool steering, bool observer) {
   std::string readers;
@@ -115,31 +134,36 @@ Verdict decide_readers(bool heat, bool steering, bool observer) {
 }
 
 /// Whether `part` is needed in a step that has its stage.
-Verdict decide(Part part, const Params& p, bool observed) {
+Verdict decide(Part part, const Params& p, PartSet observed) {
   const bool heat = decide_heat(p).needed;
   const bool turn = decide_steering(p).needed && decide_turn(p).needed;
+  const bool sides = observed.has(Part::sides);
   switch (part) {
     case Part::exposure:
       return decide_readers(heat && (p.air_conductance != 0 || p.contact_conductance != 0), turn,
-                            observed);
+                            sides || observed.has(part));
     case Part::owners:
-      return decide_readers(heat && decide_mean_temperature(p).needed, turn, observed);
-    case Part::pairs:
-      if (!observed) return {false, "only an observer reads them"};
-      return {true, "read by an observer"};
+      return decide_readers(heat && decide_mean_temperature(p).needed, turn,
+                            sides || observed.has(part));
     case Part::turn:
       return decide_turn(p);
+    case Part::direction:
+      return decide_steering(p);
     case Part::mean_temperature:
       return decide_mean_temperature(p);
     case Part::rotation:
       return decide_rotation(p);
     case Part::quadratic:
       return decide_quadratic(p);
+    case Part::pairs:
+    case Part::sides:
+    case Part::strain:
+      return decide_record(observed.has(part));
   }
   return {true, ""};
 }
 
-void add_parts(Stage stage, const Params& params, bool observed, Plan& plan) {
+void add_parts(Stage stage, const Params& params, PartSet observed, Plan& plan) {
   for (const PartRow& row : kParts) {
     if (row.stage == stage && decide(row.part, params, observed).needed) plan.add(row.part);
   }
@@ -155,18 +179,18 @@ std::string_view part_name(Part part) {
   return kParts[static_cast<std::size_t>(part)].name;
 }
 
-Plan whole_stage(Stage stage, const Params& params, bool observed) {
+Plan whole_stage(Stage stage, const Params& params, PartSet observed) {
   Plan plan;
   plan.add(stage);
   add_parts(stage, params, observed, plan);
   return plan;
 }
 
-Plan make_plan(const Params& params, bool observed) {
+Plan make_plan(const Params& params, PartSet observed) {
   Plan plan;
   for (int i = 0; i < kStageCount; ++i) {
     const auto stage = static_cast<Stage>(i);
-    if (!decide(stage, params).needed) continue;
+    if (!decide(stage, params, observed).needed) continue;
     plan.add(stage);
     add_parts(stage, params, observed, plan);
   }
@@ -176,21 +200,22 @@ Plan make_plan(const Params& params, bool observed) {
 Plan joined(const Plan& plan, const Plan& more) {
   Plan both;
   for (int i = 0; i < kStageCount; ++i) both.stages[i] = plan.stages[i] || more.stages[i];
-  for (int i = 0; i < kPartCount; ++i) {
-    both.parts[i] = both.has(kParts[i].stage) && (plan.parts[i] || more.parts[i]);
+  for (const PartRow& row : kParts) {
+    if (both.has(row.stage) && (plan.has(row.part) || more.has(row.part))) both.add(row.part);
   }
-  if (both.has(Stage::contact) && (both.has(Part::turn) || both.has(Part::mean_temperature))) {
+  if (both.has(Stage::contact) &&
+      (both.has(Part::turn) || both.has(Part::sides) || both.has(Part::mean_temperature))) {
     both.add(Part::exposure);
     both.add(Part::owners);
   }
   return both;
 }
 
-std::vector<Decision> explain_plan(const Params& params, bool observed) {
+std::vector<Decision> explain_plan(const Params& params, PartSet observed) {
   std::vector<Decision> decisions;
   for (int i = 0; i < kStageCount; ++i) {
     const auto stage = static_cast<Stage>(i);
-    const Verdict verdict = decide(stage, params);
+    const Verdict verdict = decide(stage, params, observed);
     decisions.push_back({stage, {}, verdict.needed, verdict.reason});
     if (!verdict.needed) continue;
     for (const PartRow& row : kParts) {

@@ -153,6 +153,26 @@ void pull_to_goals(const Params& params, const StepBody& body, bool quadratic,
   }
 }
 
+/// Distance of each point of a pup from the goal that `goal` describes.
+template <class Real>
+static void record_strain(const Cloud<Real>& cloud, const ModeMatrix& goal, State<Real>& state,
+                          int pup) {
+  const std::size_t row = state.row(pup);
+  const Real* xyz[3] = {state.x.data() + row, state.y.data() + row, state.z.data() + row};
+  float* const strain = state.strain.data() + state.flat(pup);
+  for (int i = 0; i < state.points; ++i) {
+    double squared = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      double apart = goal(axis, kMeanMode) - static_cast<double>(xyz[axis][i] - xyz[axis][0]);
+      for (int m = 1; m < kModes; ++m) {
+        apart += goal(axis, m) * static_cast<double>(cloud.mode_row(m)[i]);
+      }
+      squared += apart * apart;
+    }
+    strain[i] = static_cast<float>(std::sqrt(squared));
+  }
+}
+
 template <class Real>
 RotationKind match_shape(const Params& params, const StepBody& body, MatchParts parts,
                          const Cloud<Real>& cloud, State<Real>& state, int pup) {
@@ -161,6 +181,7 @@ RotationKind match_shape(const Params& params, const StepBody& body, MatchParts 
                                 ? nearest_rotation(linear_part(fit.shape))
                                 : Rotation{Eigen::Matrix3d::Zero(), RotationKind::regular};
   const ModeMatrix goal = goal_modes(fit.shape, rotation.matrix, cloud.linear_scale, body.beta);
+  if (parts.strain) record_strain(cloud, goal, state, pup);
   pull_to_goals(params, body, parts.quadratic, cloud, fit, goal, state, pup);
   return rotation.kind;
 }

@@ -78,10 +78,12 @@ void predict(const Params& params, State<Real>& state, int pup);
 /// the rotation.
 struct MatchParts {
   bool quadratic = true, rotation = true;
+  bool strain = false;  // record each point's distance from its goal
 };
 
-/// Draws one pup's points towards their goals: fit, nearest rotation, goals, draw. Returns how the
-/// rotation was found: regular, where none was looked for.
+/// Pulls one pup's points towards their goals: fit, nearest rotation, goals, pull. Returns how the
+/// rotation was found: regular, where none was looked for. `parts.strain` fills the state's strain,
+/// which must have room (make_room), before the pull.
 template <class Real>
 RotationKind match_shape(const Params& params, const StepBody& body, MatchParts parts,
                          const Cloud<Real>& cloud, State<Real>& state, int pup);

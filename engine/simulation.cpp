@@ -9,6 +9,7 @@
 #include "engine/elementary.h"
 #include "engine/health.h"
 #include "engine/start.h"
+#include "engine/steering.h"
 #include "engine/step.h"
 #include "engine/watch.h"
 #include "pupflow/geometry.h"
@@ -21,24 +22,16 @@ class Simulation::Model {
   virtual ~Model() = default;
   virtual std::unique_ptr<Model> clone() const = 0;
   virtual Status advance(StageListener* listener) = 0;
-  virtual std::size_t size() const = 0;  // coordinates of all points
-  virtual void copy_positions(std::span<float> xyz) const = 0;
-  virtual void copy_positions(std::span<double> xyz) const = 0;
-  virtual void copy_velocities(std::span<double> xyz) const = 0;
+  virtual LitterView view() const = 0;
+  virtual void observe_start() = 0;  // records what is observed, before the first step
   virtual void set_cloud(int pup, std::span<const double> positions,
                          std::span<const double> velocities) = 0;
-  virtual Eigen::Vector3d centre(int pup) const = 0;
   virtual std::vector<double>& tb() = 0;
   virtual std::vector<double>& heading() = 0;
-  virtual std::span<const double> exposed() const = 0;
-  virtual std::span<const int> touched() const = 0;
-  virtual std::span<const TouchingPair> touching() const = 0;
   virtual const Warnings& warnings() const = 0;
   virtual void set_by_hand() = 0;  // parameters or points were: warnings judge from here on
   virtual std::int64_t step() const = 0;
   virtual Clock& clock() = 0;
-  virtual int pups() const = 0;
-  virtual int points() const = 0;
   virtual std::uint64_t hash() const = 0;
   virtual void load(const Snapshot& snapshot) = 0;  // whose sizes fit
   virtual void set_threads(int threads) = 0;
@@ -48,7 +41,7 @@ class Simulation::Model {
 
   Params params;
   Plan plan, forced;
-  bool observed = true;
+  PartSet observed = kContactRecords;
   Status status;
   StepCounters counters;
 
@@ -65,6 +58,7 @@ class Simulation::LitterModel final : public Simulation::Model {
     const auto rest = cube_sphere(p.face_points, p.pup_radius);
     cloud_ = std::make_shared<const Cloud<Real>>(make_cloud<Real>(rest));
     lay_out(p, rest, state_);
+    state_.recorded = observed;
   }
 
   std::unique_ptr<Model> clone() const override { return std::make_unique<LitterModel>(*this); }
@@ -79,21 +73,44 @@ class Simulation::LitterModel final : public Simulation::Model {
     watched_ = true;
     const Status result =
         step_litter(params, plan, *cloud_, state_, workspace_, counters, listener);
+    state_.recorded = plan.parts | observed;
     if (result.ok()) watch_.look(params, state_);
     return result;
   }
 
   void set_threads(int threads) override { workspace_.team = Team(threads); }
 
-  std::size_t size() const override { return 3 * state_.flat(state_.pups); }
-  void copy_positions(std::span<float> xyz) const override {
-    copy(state_.x, state_.y, state_.z, xyz);
+  LitterView view() const override {
+    const auto vectors = [&](const auto& x, const auto& y, const auto& z) {
+      return PointVectors(x.data(), y.data(), z.data(), state_.pups, state_.points, state_.stride);
+    };
+    return {.params = params,
+            .pups = state_.pups,
+            .points = state_.points,
+            .positions = vectors(state_.x, state_.y, state_.z),
+            .velocities = vectors(state_.vx, state_.vy, state_.vz),
+            .tb = state_.tb,
+            .felt_tb = state_.felt_tb,
+            .heading = state_.heading,
+            .exposed = state_.exposed,
+            .t_left = state_.t_left,
+            .t_right = state_.t_right,
+            .turn = state_.turn,
+            .touched = state_.touched,
+            .left = state_.left,
+            .strain = state_.strain,
+            .touching = state_.touching,
+            .step = state_.step,
+            .time = state_.clock.at(state_.step, params.dt),
+            .recorded = state_.recorded};
   }
-  void copy_positions(std::span<double> xyz) const override {
-    copy(state_.x, state_.y, state_.z, xyz);
-  }
-  void copy_velocities(std::span<double> xyz) const override {
-    copy(state_.vx, state_.vy, state_.vz, xyz);
+
+  void observe_start() override {
+    make_room(state_, observed);
+    for (int pup = 0; pup < state_.pups && observed.has(Part::sides); ++pup) {
+      steer(params, {.turn = false, .direction = false, .sides = true}, *cloud_, state_, pup);
+    }
+    state_.recorded = state_.recorded | observed;
   }
 
   void set_cloud(int pup, std::span<const double> positions,
@@ -112,25 +129,12 @@ class Simulation::LitterModel final : public Simulation::Model {
     set_by_hand();
   }
 
-  Eigen::Vector3d centre(int pup) const override {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t i = state_.row(pup); i < state_.row(pup) + state_.points; ++i) {
-      sum += Eigen::Vector3d(state_.x[i], state_.y[i], state_.z[i]);
-    }
-    return sum / state_.points;
-  }
-
   std::vector<double>& tb() override { return state_.tb; }
   std::vector<double>& heading() override { return state_.heading; }
-  std::span<const double> exposed() const override { return state_.exposed; }
-  std::span<const int> touched() const override { return state_.touched; }
-  std::span<const TouchingPair> touching() const override { return state_.touching; }
   const Warnings& warnings() const override { return watch_.warnings(); }
   void set_by_hand() override { watched_ = false; }
   std::int64_t step() const override { return state_.step; }
   Clock& clock() override { return state_.clock; }
-  int pups() const override { return state_.pups; }
-  int points() const override { return state_.points; }
   std::uint64_t hash() const override { return hash_state(state_); }
 
   void load(const Snapshot& snapshot) override {
@@ -140,28 +144,17 @@ class Simulation::LitterModel final : public Simulation::Model {
                 std::span(snapshot.velocities).subspan(pup * size, size));
     }
     state_.tb = snapshot.body_temperature;
+    state_.felt_tb = snapshot.felt_tb;
     state_.heading = snapshot.heading;
     state_.exposed = snapshot.exposed;
     state_.touched = snapshot.touched;
     state_.touching = snapshot.touching;
+    state_.recorded = snapshot.recorded;
     state_.step = snapshot.step;
     state_.clock = snapshot.clock;
   }
 
  private:
-  template <class Out>
-  void copy(const AlignedVector<Real>& x, const AlignedVector<Real>& y,
-            const AlignedVector<Real>& z, std::span<Out> xyz) const {
-    std::size_t out = 0;
-    for (int pup = 0; pup < state_.pups; ++pup) {
-      for (std::size_t i = state_.row(pup); i < state_.row(pup) + state_.points; ++i) {
-        xyz[out++] = static_cast<Out>(x[i]);
-        xyz[out++] = static_cast<Out>(y[i]);
-        xyz[out++] = static_cast<Out>(z[i]);
-      }
-    }
-  }
-
   std::shared_ptr<const Cloud<Real>> cloud_;  // never changes, so copies share it
   State<Real> state_;
   Workspace<Real> workspace_;
@@ -193,11 +186,14 @@ void require_fitting(const Snapshot& snapshot, int pups, int points) {
   require_size(snapshot.positions.size(), 3 * all, "the snapshot's positions");
   require_size(snapshot.velocities.size(), 3 * all, "the snapshot's velocities");
   require_size(snapshot.body_temperature.size(), n, "the snapshot's body temperatures");
+  require_size(snapshot.felt_tb.size(), n, "the snapshot's felt body temperatures");
   require_size(snapshot.heading.size(), n, "the snapshot's headings");
   require_size(snapshot.exposed.size(), n, "the snapshot's exposures");
   require_size(snapshot.touched.size(), all, "the snapshot's touched pups");
   for (const double tb : snapshot.body_temperature)
     require_finite(tb, "a body temperature of the snapshot");
+  for (const double tb : snapshot.felt_tb)
+    require_finite(tb, "a felt body temperature of the snapshot");
   for (const double heading : snapshot.heading)
     require_finite(heading, "a heading of the snapshot");
   const auto is_pup = [pups](int pup) { return pup >= 0 && pup < pups; };
@@ -259,9 +255,10 @@ void Simulation::set_params(const Params& params) {
   model_->set_by_hand();
 }
 
-void Simulation::set_observed(bool observed) {
-  model_->observed = observed;
+void Simulation::set_observed(PartSet parts) {
+  model_->observed = parts;
   model_->replan();
+  if (steps_done() == 0) model_->observe_start();
 }
 
 void Simulation::force_plan(const Plan& more) {
@@ -305,25 +302,13 @@ double Simulation::time() const {
   return model_->clock().at(steps_done(), params().dt);
 }
 int Simulation::pups() const {
-  return model_->pups();
+  return params().pups;
 }
 int Simulation::points() const {
-  return model_->points();
+  return points_per_pup(params());
 }
-
-void Simulation::copy_positions(std::span<float> xyz) const {
-  require_size(xyz.size(), model_->size(), "the span for positions");
-  model_->copy_positions(xyz);
-}
-
-void Simulation::copy_positions(std::span<double> xyz) const {
-  require_size(xyz.size(), model_->size(), "the span for positions");
-  model_->copy_positions(xyz);
-}
-
-void Simulation::copy_velocities(std::span<double> xyz) const {
-  require_size(xyz.size(), model_->size(), "the span for velocities");
-  model_->copy_velocities(xyz);
+LitterView Simulation::view() const {
+  return model_->view();
 }
 
 void Simulation::set_cloud(int pup, std::span<const double> positions,
@@ -333,21 +318,6 @@ void Simulation::set_cloud(int pup, std::span<const double> positions,
   require_size(positions.size(), expected, "the cloud");
   require_size(velocities.size(), expected, "the cloud's velocities");
   model_->set_cloud(pup, positions, velocities);
-}
-
-Eigen::Vector3d Simulation::centre(int pup) const {
-  require_pup(pup, pups());
-  return model_->centre(pup);
-}
-
-std::span<const double> Simulation::body_temperature() const {
-  return model_->tb();
-}
-std::span<const double> Simulation::heading() const {
-  return model_->heading();
-}
-std::span<const double> Simulation::exposed() const {
-  return model_->exposed();
 }
 
 void Simulation::set_body_temperature(int pup, double value) {
@@ -361,27 +331,25 @@ void Simulation::set_heading(int pup, double radians) {
   model_->heading()[pup] = wrap_angle(radians);
 }
 
-std::span<const int> Simulation::touched_pup() const {
-  return model_->touched();
-}
-std::span<const TouchingPair> Simulation::touching() const {
-  return model_->touching();
-}
 Snapshot Simulation::snapshot() const {
+  const LitterView litter = view();
   Snapshot snapshot;
   snapshot.params = params();
-  snapshot.positions.resize(model_->size());
-  snapshot.velocities.resize(model_->size());
-  copy_positions(snapshot.positions);
-  copy_velocities(snapshot.velocities);
+  const std::size_t size = std::size_t{3} * litter.pups * litter.points;
+  snapshot.positions.resize(size);
+  snapshot.velocities.resize(size);
+  litter.positions.copy_to(snapshot.positions);
+  litter.velocities.copy_to(snapshot.velocities);
   const auto copy = [](auto from) { return std::vector(from.begin(), from.end()); };
-  snapshot.body_temperature = copy(body_temperature());
-  snapshot.heading = copy(heading());
-  snapshot.exposed = copy(exposed());
-  snapshot.touched = copy(touched_pup());
-  snapshot.touching = copy(touching());
-  snapshot.step = steps_done();
+  snapshot.body_temperature = copy(litter.tb);
+  snapshot.felt_tb = copy(litter.felt_tb);
+  snapshot.heading = copy(litter.heading);
+  snapshot.exposed = copy(litter.exposed);
+  snapshot.touched = copy(litter.touched);
+  snapshot.touching = copy(litter.touching);
+  snapshot.step = litter.step;
   snapshot.clock = model_->clock();
+  snapshot.recorded = litter.recorded;
   return snapshot;
 }
 

@@ -138,7 +138,7 @@ void lay_out(const Params& params, const std::vector<Vector3d>& rest, State<Real
       state.y[k] = static_cast<Real>(position.y());
       state.z[k] = static_cast<Real>(position.z());
     }
-    state.tb[pup] = params.initial_temperature;
+    state.tb[pup] = state.felt_tb[pup] = params.initial_temperature;
     state.heading[pup] = wrap_angle(random.uniform(-kPi, kPi));
     update_bounds(state, pup);
   }

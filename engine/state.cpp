@@ -19,6 +19,7 @@ State<Real> make_state(int pups, int points, InstructionSet set) {
   }
   state.bounds.assign(pups, {});
   state.tb.assign(pups, 0);
+  state.felt_tb.assign(pups, 0);
   state.heading.assign(pups, 0);
   state.exposed.assign(pups, 1);
   state.touched.assign(state.flat(pups), -1);
@@ -56,12 +57,23 @@ std::uint64_t hash_state(const State<Real>& state) {
   return hash;
 }
 
+template <class Real>
+void make_room(State<Real>& state, PartSet records) {
+  if (records.has(Part::sides)) {
+    for (auto* values : {&state.t_left, &state.t_right, &state.turn}) values->resize(state.pups);
+    state.left.resize(state.flat(state.pups));
+  }
+  if (records.has(Part::strain)) state.strain.resize(state.flat(state.pups));
+}
+
 template struct State<float>;
 template struct State<double>;
 template State<float> make_state<float>(int, int, InstructionSet);
 template State<double> make_state<double>(int, int, InstructionSet);
 template bool update_bounds<float>(State<float>&, int);
 template bool update_bounds<double>(State<double>&, int);
+template void make_room<float>(State<float>&, PartSet);
+template void make_room<double>(State<double>&, PartSet);
 template std::uint64_t hash_state<float>(const State<float>&);
 template std::uint64_t hash_state<double>(const State<double>&);
 

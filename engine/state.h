@@ -32,6 +32,7 @@ struct State {
 
   // Per pup. Double in either precision: there are few of them.
   std::vector<double> tb;       // body temperature T_b
+  std::vector<double> felt_tb;  // T_b before the heat stage of the last step
   std::vector<double> heading;  // direction of travel theta, in (-pi, pi]
   std::vector<double> exposed;  // share A of the points that touched nobody
 
@@ -40,6 +41,12 @@ struct State {
   std::vector<std::uint64_t>
       touching_points;                 // the points that have one: a set per pup (point_set.h)
   std::vector<TouchingPair> touching;  // sorted
+
+  // For observers; empty until a step records them.
+  std::vector<double> t_left, t_right, turn;  // Part::sides, per pup
+  std::vector<std::uint8_t> left;             // Part::sides; element j * points + i
+  std::vector<float> strain;                  // Part::strain; element j * points + i
+  PartSet recorded;                           // what the last step recorded
 
   const Kernels<Real>* kernels = nullptr;  // the loops over these arrays, for this processor
 
@@ -59,6 +66,10 @@ State<Real> make_state(int pups, int points,
 /// Recomputes `bounds[pup]`. Returns false when a coordinate of the pup is not finite.
 template <class Real>
 bool update_bounds(State<Real>& state, int pup);
+
+/// Makes room for those of `records` that only an observer reads.
+template <class Real>
+void make_room(State<Real>& state, PartSet records);
 
 /// Hash of positions, velocities, temperatures, headings and step count.
 template <class Real>

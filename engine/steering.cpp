@@ -53,10 +53,11 @@ double preference(const Params& params, double tb, double t_left, double t_right
 }
 
 /// Side temperatures about `direction`. With `first_on_axis` the first point is not on the left.
+/// Writes for each point whether it is on the left, unless `on_the_left` is null.
 template <class Real>
 SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
                                const State<Real>& state, int pup, double direction,
-                               bool first_on_axis) {
+                               bool first_on_axis, std::uint8_t* on_the_left = nullptr) {
   const Real* x = state.x.data() + state.row(pup);
   const Real* y = state.y.data() + state.row(pup);
   const int* touched = state.touched.data() + state.flat(pup);
@@ -68,6 +69,9 @@ SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
                       static_cast<Real>(axis.cos), static_cast<Real>(axis.sin), left);
   if (first_on_axis) left[0] &= ~std::uint64_t{1};
   const auto is_left = [&](int i) { return (left[i / 64] >> (i % 64)) & 1; };
+  if (on_the_left != nullptr) {
+    for (int i = 0; i < state.points; ++i) on_the_left[i] = is_left(i) ? 1 : 0;
+  }
   int on_left = 0;
   for (int w = 0; w < words; ++w) on_left += std::popcount(left[w]);
   const int on_right = state.points - on_left;
@@ -112,19 +116,26 @@ SideTemperatures body_side_temperatures(const Params& params, const Cloud<Real>&
 }
 
 template <class Real>
-Status steer(const Params& params, bool turns, const Cloud<Real>& cloud, State<Real>& state,
-             int pup) {
+Status steer(const Params& params, SteeringParts parts, const Cloud<Real>& cloud,
+             State<Real>& state, int pup) {
   const bool course = params.heading == Heading::course;
-  // Who touches nobody feels T_a on both sides and does not turn.
-  const bool touches = turns && state.exposed[pup] < 1;
-  if (course && !touches) return {};
+  // A pup that touches nobody feels T_a on both sides and does not turn.
+  const bool turns = parts.turn && state.exposed[pup] < 1;
+  if (course && !turns && !parts.sides) return {};
   const double direction = course ? state.heading[pup] : body_axis(cloud, state, pup);
   double delta = 0;
-  if (touches) {
-    const SideTemperatures t = course ? side_temperatures(params, cloud, state, pup, direction)
-                                      : body_side_temperatures(params, cloud, state, pup);
-    delta = 0.0 + turn(params, state.tb[pup], t.left, t.right);  // a turn of -0 is none
+  if (turns || parts.sides) {
+    std::uint8_t* const left = parts.sides ? state.left.data() + state.flat(pup) : nullptr;
+    const SideTemperatures t = measure_sides(params, cloud, state, pup, direction, !course, left);
+    const double felt = 0.0 + turn(params, state.tb[pup], t.left, t.right);  // -0 is no turn
+    if (turns) delta = felt;
+    if (parts.sides) {
+      state.t_left[pup] = t.left;
+      state.t_right[pup] = t.right;
+      state.turn[pup] = felt;
+    }
   }
+  if (!parts.direction) return {};
   const double next = direction + (course ? params.dt * delta : delta);
   if (!std::isfinite(next))
     return {Status::Kind::non_finite, Stage::steering, state.step + 1, pup, -1};
@@ -138,7 +149,7 @@ Status steer(const Params& params, bool turns, const Cloud<Real>& cloud, State<R
                                                     const State<Real>&, int, double);       \
   template SideTemperatures body_side_temperatures<Real>(const Params&, const Cloud<Real>&, \
                                                          const State<Real>&, int);          \
-  template Status steer<Real>(const Params&, bool, const Cloud<Real>&, State<Real>&, int);
+  template Status steer<Real>(const Params&, SteeringParts, const Cloud<Real>&, State<Real>&, int);
 PUPFLOW_INSTANTIATE(float)
 PUPFLOW_INSTANTIATE(double)
 #undef PUPFLOW_INSTANTIATE

@@ -38,11 +38,17 @@ template <class Real>
 SideTemperatures body_side_temperatures(const Params& params, const Cloud<Real>& cloud,
                                         const State<Real>& state, int pup);
 
-/// Steers one pup: sets its heading. Reads the body temperatures of others, so heat comes later.
-/// Where v = 0 or sigma = 0 the turn is 0; without `turns` it is not worked out, and what the pup
-/// touches is not read.
+/// What steering does for a pup (plan.h): work out the turn, set the heading, record what is felt.
+struct SteeringParts {
+  bool turn = true, direction = true, sides = false;
+};
+
+/// Steers one pup. Reads the body temperatures of others, so heat comes later. A turn of 0 is right
+/// where v = 0 or sigma = 0; without `parts.turn` and `parts.sides` what the pup touches is not
+/// read. `parts.sides` fills left, t_left, t_right and turn of the state, which must have room
+/// (make_room).
 template <class Real>
-Status steer(const Params& params, bool turns, const Cloud<Real>& cloud, State<Real>& state,
-             int pup);
+Status steer(const Params& params, SteeringParts parts, const Cloud<Real>& cloud,
+             State<Real>& state, int pup);
 
 }  // namespace pupflow

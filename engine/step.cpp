@@ -55,14 +55,17 @@ struct Step {
       case Stage::contact:
         return workspace.contacts.apply(params, body.contact_share, state, pup, worker);
       case Stage::steering:
-        return steer(params, plan.has(Part::turn), cloud, state, pup);
+        return steer(params,
+                     {plan.has(Part::turn), plan.has(Part::direction), plan.has(Part::sides)},
+                     cloud, state, pup);
       case Stage::heat:
-        return heat(params, plan.has(Part::mean_temperature), state, pup, workspace.next_tb[pup]);
+        return heat(params, plan.has(Part::mean_temperature), state, pup, state.felt_tb[pup]);
       case Stage::predict:
         predict(params, state, pup);
         break;
       case Stage::shape_match:
-        const MatchParts parts{plan.has(Part::quadratic), plan.has(Part::rotation)};
+        const MatchParts parts{plan.has(Part::quadratic), plan.has(Part::rotation),
+                               plan.has(Part::strain)};
         const RotationKind kind = match_shape(params, body, parts, cloud, state, pup);
         counters.rotation_fallbacks += kind == RotationKind::regular ? 0 : 1;
         break;
@@ -119,7 +122,7 @@ Status step_litter(const Params& params, const Plan& plan, const Cloud<Real>& cl
   const std::span<const Stage> stages = sequence.stages();
   const Step<Real> step{params, plan, cloud, state, workspace, sequence, step_body(params)};
   workspace.found.assign(workspace.team.size(), {});
-  workspace.next_tb.resize(state.pups);
+  make_room(state, plan.parts);
   // Contacts need all pups behind the boundary stage. What follows them looks at nothing of other
   // pups that a later stage changes, so a pup can be taken through it in one go; a listener wants
   // to see the stages one by one.
@@ -132,7 +135,11 @@ Status step_litter(const Params& params, const Plan& plan, const Cloud<Real>& cl
     if (apart) listener->stage_ends(stages[begin]);
     begin = end;
   }
-  if (plan.has(Stage::heat)) state.tb.swap(workspace.next_tb);
+  if (plan.has(Stage::heat)) {
+    state.tb.swap(state.felt_tb);  // the heat stage wrote the new temperatures there
+  } else {
+    state.felt_tb = state.tb;
+  }
   const Status status = step.gather(counters);
   if (status.ok()) ++state.step;
   return status;

@@ -31,7 +31,6 @@ struct Workspace {
     StepCounters counters;
   };
   Contacts<Real> contacts;
-  std::vector<double> next_tb;
   std::vector<Found> found;  // one per worker
   Team team;
 };

@@ -120,7 +120,7 @@ std::string explanation(const io::Setup& setup, const Costs& costs) {
   double stages = 0;
   for (int i = 0; i < kStageCount; ++i) stages += costs.stages.median(static_cast<Stage>(i));
   std::vector<io::Row> rows{{"stage", "in the step", "µs a step", "of the step", "why"}};
-  for (const Decision& decision : explain_plan(setup.params, true)) {
+  for (const Decision& decision : explain_plan(setup.params, kContactRecords)) {
     const std::string nothing = std::string(8, ' ') + "-";
     if (decision.part) {
       if (decision.needed) continue;  // its cost is in its stage

@@ -133,8 +133,10 @@ class Run {
     // The state before a step that is compared with a later one, as the last step left it.
     if (later && !observer_ && wanted(step - 1, lag)) observer_.emplace(simulation_);
     // A checkpoint holds who touches whom: the run that goes on from it compares with that.
-    const bool observed = later || pups_row || frame || !options_.checkpoint.empty();
-    if (observed != observed_) simulation_.set_observed(observed_ = observed);
+    const bool contacts = later || !options_.checkpoint.empty();
+    const PartSet parts = (contacts ? kContactRecords : PartSet{}) |
+                          (pups_row || frame ? parts_in_files() : PartSet{});
+    if (parts != observed_) simulation_.set_observed(observed_ = parts);
     if (!simulation_.step().ok()) return;
     if (observe) {
       observer_->observe(simulation_);
@@ -155,7 +157,7 @@ class Run {
   Files files_;
   Simulation simulation_;
   std::optional<Observer> observer_;
-  bool observed_ = true;  // as a new simulation is
+  PartSet observed_ = kContactRecords;  // as a new simulation has it
   RunMeans means_;
   bool summary_;
   struct OverlapLooks {

@@ -46,6 +46,7 @@ void write_checkpoint(const std::string& path, bool force, const Snapshot& snaps
   write(file, "position", {pups, points, 3}, snapshot.positions);
   write(file, "velocity", {pups, points, 3}, snapshot.velocities);
   write(file, "body_temperature", {pups}, snapshot.body_temperature);
+  write(file, "felt_tb", {pups}, snapshot.felt_tb);
   write(file, "heading", {pups}, snapshot.heading);
   write(file, "exposed", {pups}, snapshot.exposed);
   write(file, "touched", {pups, points}, snapshot.touched);
@@ -73,6 +74,8 @@ Snapshot read_checkpoint(const std::string& path) {
   snapshot.positions = file.numbers("position");
   snapshot.velocities = file.numbers("velocity");
   snapshot.body_temperature = file.numbers("body_temperature");
+  // A version before 0.2.0 did not keep what others felt in the last step.
+  snapshot.felt_tb = file.numbers(file.has("felt_tb") ? "felt_tb" : "body_temperature");
   snapshot.heading = file.numbers("heading");
   snapshot.exposed = file.numbers("exposed");
   snapshot.touched = file.integers("touched");

@@ -7,9 +7,17 @@
 namespace pupflow::io {
 namespace {
 
-std::string observable_columns() {
-  std::string columns;
-  for (const ObservableName& row : observable_names()) columns.append(",").append(row.name);
+std::string metrics_columns() {
+  std::string columns = "step,time";
+  for (const Field& field : observables()) columns.append(",").append(field.name);
+  return columns;
+}
+
+std::string pups_columns() {
+  std::string columns = "step,pup,x,y,z";
+  for (const LitterField& field : pup_fields()) {
+    if (field.in_files) columns.append(",").append(field.name);
+  }
   return columns;
 }
 
@@ -57,25 +65,29 @@ void CsvFile::comment(std::string_view text) {
 }
 
 MetricsCsv::MetricsCsv(const std::string& path, bool force, const Params& params)
-    : file_(path, force, provenance(params), "step,time" + observable_columns()) {}
+    : file_(path, force, provenance(params), metrics_columns()) {}
 
-void MetricsCsv::add(const Simulation& simulation, const Observables& observables) {
-  file_.cell(simulation.steps_done()).cell(simulation.time());
-  for (const ObservableName& row : observable_names()) file_.cell(observables.*row.value);
+void MetricsCsv::add(const LitterView& litter, const Observables& seen) {
+  file_.cell(litter.step).cell(litter.time);
+  for (const ObservableField& row : observables()) file_.cell(seen.*row.value);
   file_.end_row();
 }
 
 PupsCsv::PupsCsv(const std::string& path, bool force, const Params& params)
-    : file_(path, force, provenance(params), "step,pup,x,y,z,tb,exposed,heading") {}
+    : file_(path, force, provenance(params), pups_columns()) {}
 
-void PupsCsv::add(const Simulation& simulation) {
-  for (int pup = 0; pup < simulation.pups(); ++pup) {
-    const Eigen::Vector3d centre = simulation.centre(pup);
-    const auto j = static_cast<std::size_t>(pup);
-    file_.cell(simulation.steps_done()).cell(std::int64_t{pup});
+void PupsCsv::add(const LitterView& litter) {
+  std::vector<std::vector<double>> columns;
+  for (const LitterField& field : pup_fields()) {
+    if (field.in_files) columns.push_back(field.values(litter));
+  }
+  for (int pup = 0; pup < litter.pups; ++pup) {
+    const Eigen::Vector3d centre = litter.positions.mean(pup);
+    file_.cell(litter.step).cell(std::int64_t{pup});
     file_.cell(centre.x()).cell(centre.y()).cell(centre.z());
-    file_.cell(simulation.body_temperature()[j]);
-    file_.cell(simulation.exposed()[j]).cell(simulation.heading()[j]);
+    for (const std::vector<double>& column : columns) {
+      file_.cell(column[static_cast<std::size_t>(pup)]);
+    }
     file_.end_row();
   }
 }

@@ -9,9 +9,9 @@
 
 #include "app/io/atomic_file.h"
 #include "app/io/png.h"
-#include "pupflow/observer.h"
+#include "pupflow/fields.h"
 #include "pupflow/parameters.h"
-#include "pupflow/simulation.h"
+#include "pupflow/view.h"
 
 namespace pupflow::io {
 
@@ -40,22 +40,23 @@ class CsvFile {
   std::string row_;
 };
 
-/// The state after each reported step: one row for the whole litter.
+/// The state after each reported step: one row for the whole litter, with all observables.
 class MetricsCsv {
  public:
   MetricsCsv(const std::string& path, bool force, const Params& params);
-  void add(const Simulation& simulation, const Observables& observables);
+  void add(const LitterView& litter, const Observables& seen);
   CsvFile& file() { return file_; }
 
  private:
   CsvFile file_;
 };
 
-/// The state after each reported step: one row for each pup.
+/// The state after each reported step: one row for each pup, with its centre and all pup fields
+/// that go into files (LitterField::in_files).
 class PupsCsv {
  public:
   PupsCsv(const std::string& path, bool force, const Params& params);
-  void add(const Simulation& simulation);
+  void add(const LitterView& litter);
   CsvFile& file() { return file_; }
 
  private:

@@ -59,11 +59,11 @@ hid_t Hdf5Writer::checked(hid_t result) const {
   throw Failure(ExitCode::bad_file, path_ + ": cannot write (is the disk full?)");
 }
 
-void Hdf5Writer::text(const std::string& name, const std::string& value) {
+void Hdf5Writer::text(hid_t object, const std::string& name, const std::string& value) const {
   const Handle type(text_type(), H5Tclose);
   const Handle space(checked(H5Screate(H5S_SCALAR)), H5Sclose);
   const Handle attribute(
-      checked(H5Acreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT)), H5Aclose);
+      checked(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT)), H5Aclose);
   const char* data = value.c_str();
   checked(H5Awrite(attribute, type, &data));
 }
@@ -87,6 +87,10 @@ TextEntries Hdf5Reader::text() const {
     throw Failure(ExitCode::bad_file, path_ + ": cannot read its attributes");
   }
   return entries;
+}
+
+bool Hdf5Reader::has(const std::string& name) const {
+  return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
 }
 
 template <class T>

@@ -36,7 +36,11 @@ class Hdf5Writer {
   Hdf5Writer& operator=(const Hdf5Writer&) = delete;
 
   hid_t id() const { return file_; }
-  void text(const std::string& name, const std::string& value);  // an attribute of the file
+
+  /// Adds a text attribute to the file, or to `object` in it.
+  void text(const std::string& name, const std::string& value) const { text(file_, name, value); }
+  void text(hid_t object, const std::string& name, const std::string& value) const;
+
   void commit();
 
   /// `result` as it is; throws when it says that HDF5 failed.
@@ -55,6 +59,9 @@ class Hdf5Reader {
 
   /// All text attributes of the file.
   TextEntries text() const;
+
+  /// Whether the file has a data set of that name.
+  bool has(const std::string& name) const;
 
   /// A whole dataset, flattened. Throws Failure(bad_input) when it is missing.
   std::vector<double> numbers(const std::string& name) const;

@@ -1,10 +1,13 @@
 #include "app/io/recording.h"
 
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/io/hdf5_file.h"
 #include "app/io/provenance.h"
+#include "pupflow/fields.h"
 
 namespace pupflow::io {
 namespace {
@@ -13,10 +16,16 @@ namespace {
 class Series {
  public:
   /// `shape` is that of one frame; `stored` the type in the file.
-  Series(const Hdf5Writer& file, const char* name, const std::vector<hsize_t>& shape, hid_t stored)
+  Series(const Hdf5Writer& file, const std::string& name, const std::vector<hsize_t>& shape,
+         hid_t stored)
       : file_(file),
         extent_(with_frames(0, shape)),
         set_(make(file, name, shape, stored), H5Dclose) {}
+
+  /// An attribute.
+  void text(const std::string& name, const std::string& value) {
+    if (set_ >= 0) file_.text(set_, name, value);
+  }
 
   void add(hid_t type, const void* data) {
     if (set_ < 0) return;
@@ -40,8 +49,8 @@ class Series {
   }
 
   /// One chunk a frame; none at all for a litter without pups, which has nothing to store.
-  static hid_t make(const Hdf5Writer& file, const char* name, const std::vector<hsize_t>& shape,
-                    hid_t stored) {
+  static hid_t make(const Hdf5Writer& file, const std::string& name,
+                    const std::vector<hsize_t>& shape, hid_t stored) {
     for (const hsize_t size : shape) {
       if (size == 0) return -1;
     }
@@ -53,8 +62,10 @@ class Series {
     const Handle space(file.checked(H5Screate_simple(rank, extent.data(), limit.data())), H5Sclose);
     const Handle properties(file.checked(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose);
     file.checked(H5Pset_chunk(properties, rank, chunk.data()));
+    const Handle link(file.checked(H5Pcreate(H5P_LINK_CREATE)), H5Pclose);
+    file.checked(H5Pset_create_intermediate_group(link, 1));
     return file.checked(
-        H5Dcreate2(file.id(), name, stored, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+        H5Dcreate2(file.id(), name.c_str(), stored, space, link, properties, H5P_DEFAULT));
   }
 
   const Hdf5Writer& file_;
@@ -71,6 +82,7 @@ class Recording::File {
         xyz(3 * static_cast<std::size_t>(params.pups) * points_per_pup(params)) {
     for (const auto& [name, value] : provenance(params)) writer.text(name, value);
     writer.text("kind", "recording");
+    writer.text("layout", "2");
     sets.emplace(writer, static_cast<hsize_t>(params.pups),
                  static_cast<hsize_t>(points_per_pup(params)));
   }
@@ -79,11 +91,18 @@ class Recording::File {
     Sets(const Hdf5Writer& file, hsize_t pups, hsize_t points)
         : step(file, "step", {}, H5T_STD_I64LE),
           time(file, "time", {}, H5T_IEEE_F64LE),
-          position(file, "position", {pups, points, 3}, H5T_IEEE_F32LE),
-          body_temperature(file, "body_temperature", {pups}, H5T_IEEE_F64LE),
-          exposed(file, "exposed", {pups}, H5T_IEEE_F64LE),
-          heading(file, "heading", {pups}, H5T_IEEE_F64LE) {}
-    Series step, time, position, body_temperature, exposed, heading;
+          position(file, "point/position", {pups, points, 3}, H5T_IEEE_F32LE) {
+      for (const LitterField& field : pup_fields()) {
+        if (!field.in_files) continue;
+        const std::string name = "pup/" + std::string(field.name);
+        by_pup.emplace_back(&field, std::make_unique<Series>(file, name, std::vector<hsize_t>{pups},
+                                                             H5T_IEEE_F64LE));
+        by_pup.back().second->text("unit", std::string(field.unit));
+        by_pup.back().second->text("description", std::string(field.doc));
+      }
+    }
+    Series step, time, position;
+    std::vector<std::pair<const LitterField*, std::unique_ptr<Series>>> by_pup;
   };
 
   Hdf5Writer writer;
@@ -96,16 +115,14 @@ Recording::Recording(const std::string& path, bool force, const Params& params)
 
 Recording::~Recording() = default;
 
-void Recording::add(const Simulation& simulation) {
-  const std::int64_t step = simulation.steps_done();
-  const double time = simulation.time();
-  simulation.copy_positions(std::span<float>(file_->xyz));
-  file_->sets->step.add(H5T_NATIVE_INT64, &step);
-  file_->sets->time.add(H5T_NATIVE_DOUBLE, &time);
+void Recording::add(const LitterView& litter) {
+  litter.positions.copy_to(std::span<float>(file_->xyz));
+  file_->sets->step.add(H5T_NATIVE_INT64, &litter.step);
+  file_->sets->time.add(H5T_NATIVE_DOUBLE, &litter.time);
   file_->sets->position.add(H5T_NATIVE_FLOAT, file_->xyz.data());
-  file_->sets->body_temperature.add(H5T_NATIVE_DOUBLE, simulation.body_temperature().data());
-  file_->sets->exposed.add(H5T_NATIVE_DOUBLE, simulation.exposed().data());
-  file_->sets->heading.add(H5T_NATIVE_DOUBLE, simulation.heading().data());
+  for (const auto& [field, series] : file_->sets->by_pup) {
+    series->add(H5T_NATIVE_DOUBLE, field->values(litter).data());
+  }
 }
 
 void Recording::commit(const std::string& ending) {

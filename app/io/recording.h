@@ -5,13 +5,15 @@
 #include <string>
 
 #include "pupflow/parameters.h"
-#include "pupflow/simulation.h"
+#include "pupflow/view.h"
 
 namespace pupflow::io {
 
-/// One recording being written; appears whole or not at all. Datasets, a row per frame:
-/// step (int64), time, position (float32: frame x pup x point x 3), body_temperature, exposed and
-/// heading (frame x pup). Attributes: io::provenance. Members throw Failure(bad_file).
+/// One recording being written; appears whole or not at all. Data sets, a row per frame: /step
+/// (int64), /time, /point/position (float32: frame x pup x point x 3), and /pup/NAME (frame x pup)
+/// for all pup fields that go into files (LitterField::in_files), with attributes unit and
+/// description. Attributes of the file: io::provenance, kind and layout. Members throw
+/// Failure(bad_file).
 class Recording {
  public:
   Recording(const std::string& path, bool force, const Params& params);
@@ -20,7 +22,7 @@ class Recording {
   Recording& operator=(const Recording&) = delete;
 
   /// Adds the state as it is now.
-  void add(const Simulation& simulation);
+  void add(const LitterView& litter);
 
   /// Puts the file in its place, with `ending` (if not empty) as an attribute saying why it ends
   /// early.

@@ -9,6 +9,7 @@
 #include "app/pictures/graphics.h"
 #include "app/view/camera.h"
 #include "app/view/draw_list.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::pictures {
 

@@ -28,7 +28,7 @@ void check_run(const OwnRun& run, std::int64_t seeds) {
     refuse("seed = " + std::to_string(p.seed) + ": the last of " + std::to_string(seeds) +
            " seeds would be too large; start lower");
   }
-  const std::vector<std::string> names = observable_names();
+  const std::vector<std::string> names = observables();
   for (const std::string& wanted : run.observables) {
     if (std::find(names.begin(), names.end(), wanted) != names.end()) continue;
     std::string listed;

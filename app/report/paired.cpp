@@ -137,7 +137,7 @@ std::string Compared::trouble(std::int64_t seeds) const {
   return text;
 }
 
-std::vector<std::string> observable_names() {
+std::vector<std::string> observables() {
   std::vector<std::string> names;
   for (int i = 0; i < study::kObservables; ++i) names.emplace_back(study::observable_name(i));
   return names;
@@ -164,7 +164,7 @@ Paired compare(const PairedWork& work, const Options& options) {
       cells[job.rows[k]][static_cast<std::size_t>(i / count)] = std::move(own[k]);
     }
   });
-  const std::vector<std::string> names = observable_names();
+  const std::vector<std::string> names = observables();
   for (std::size_t r = 0; r < paired.rows.size(); ++r) {
     Compared& row = paired.rows[r];
     if (!row.refused.empty()) {

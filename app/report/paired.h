@@ -49,7 +49,7 @@ struct PairedWork {
 Paired compare(const PairedWork& work, const Options& options);
 
 /// Names of all observables that can be asked for.
-std::vector<std::string> observable_names();
+std::vector<std::string> observables();
 
 /// The interval that the base's mean would have with another number of seeds.
 double interval_with(const Paired& paired, std::size_t observable, std::int64_t seeds);

@@ -73,13 +73,13 @@ struct Omission {
 
 std::vector<Omission> omissions_of(const Params& params) {
   std::vector<Omission> omissions;
-  for (const Decision& decision : explain_plan(params, false)) {
+  for (const Decision& decision : explain_plan(params, {})) {
     if (decision.needed) continue;
     Plan more;
     if (decision.part) {
       more.add(*decision.part);
     } else {
-      more = whole_stage(decision.stage, params, false);
+      more = whole_stage(decision.stage, params, {});
     }
     const std::string_view name =
         decision.part ? part_name(*decision.part) : stage_name(decision.stage);
@@ -91,7 +91,7 @@ std::vector<Omission> omissions_of(const Params& params) {
 Plan everything() {
   Plan plan;
   plan.stages.fill(true);
-  plan.parts.fill(true);
+  plan.parts = PartSet::all();
   return plan;
 }
 

@@ -60,19 +60,9 @@ struct Skin {
 
 }  // namespace
 
-void DrawList::update(const Simulation& simulation, const ColorScale& scale, const Camera& camera,
+void DrawList::update(const LitterView& litter, const ColorScale& scale, const Camera& camera,
                       Culling culling) {
-  const auto points = static_cast<std::size_t>(simulation.points());
-  positions_.resize(3 * points * static_cast<std::size_t>(simulation.pups()));
-  simulation.copy_positions(positions_);
-  update({simulation.params(), points, positions_, simulation.body_temperature()}, scale, camera,
-         culling);
-}
-
-void DrawList::update(const LitterState& litter, const ColorScale& scale, const Camera& camera,
-                      Culling culling) {
-  const std::size_t points = litter.points;
-  const std::size_t pups = litter.body_temperature.size();
+  xyz_.resize(std::size_t{3} * static_cast<std::size_t>(litter.points));
   sphere_radius_ = static_cast<float>(litter.params.point_radius);
   arena_radius_ = static_cast<float>(litter.params.arena_radius);
   spheres_.clear();
@@ -83,12 +73,13 @@ void DrawList::update(const LitterState& litter, const ColorScale& scale, const 
   const bool perspective = camera.projection() == Camera::Projection::perspective;
   const Eigen::Vector3f eye = camera.eye().cast<float>();
   const Eigen::Vector3f backward = camera.backward().cast<float>();
-  for (std::size_t pup = 0; pup < pups; ++pup) {
-    const std::span<const float> xyz = litter.positions.subspan(3 * points * pup, 3 * points);
-    const Rgb color = scale(litter.body_temperature[pup]);
+  for (int pup = 0; pup < litter.pups; ++pup) {
+    litter.positions.copy_pup_to(pup, xyz_);
+    const std::span<const float> xyz = xyz_;
+    const Rgb color = scale(litter.tb[static_cast<std::size_t>(pup)]);
     const bool cull = culling == Culling::hidden;
     const Skin skin = cull ? Skin(xyz, sphere_radius_, camera) : Skin();
-    for (std::size_t i = 0; i < points; ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(litter.points); ++i) {
       const Eigen::Map<const Eigen::Vector3f> point(&xyz[3 * i]);
       if (!point.allFinite()) continue;  // a litter whose numbers went bad shows what is left of it
       low = low.cwiseMin(point);

@@ -7,7 +7,7 @@
 
 #include "app/view/camera.h"
 #include "app/view/colormap.h"
-#include "pupflow/simulation.h"
+#include "pupflow/view.h"
 
 namespace pupflow::view {
 
@@ -27,25 +27,13 @@ enum class Culling {
   hidden  // leave out points on the far side of a pup whose skin has no holes
 };
 
-/// What there is to see of a litter: of a simulation, or of a copy of its state taken earlier.
-struct LitterState {
-  const Params& params;
-  std::size_t points;                        // per pup
-  std::span<const float> positions;          // x0 y0 z0 x1 ... of all points, pup by pup
-  std::span<const double> body_temperature;  // one per pup
-};
-
 /// The arena and the visible points of a litter. Its arrays are reused from frame to frame.
 class DrawList {
  public:
-  /// Fills the list from the simulation's present state, each point in its pup's colour by body
-  /// temperature, for a look through `camera`. Bounds are those of all points, culled or not. With
-  /// Culling::hidden the list must be updated when the camera turns or moves.
-  void update(const Simulation& simulation, const ColorScale& scale, const Camera& camera,
-              Culling culling = Culling::hidden);
-
-  /// The same from a state copied out of a simulation.
-  void update(const LitterState& litter, const ColorScale& scale, const Camera& camera,
+  /// Fills the list, each point in its pup's colour by body temperature, for a look through
+  /// `camera`. Bounds are those of all points, culled or not. With Culling::hidden the list must be
+  /// updated when the camera turns or moves.
+  void update(const LitterView& litter, const ColorScale& scale, const Camera& camera,
               Culling culling = Culling::hidden);
 
   std::span<const Sphere> spheres() const { return spheres_; }
@@ -55,7 +43,7 @@ class DrawList {
 
  private:
   std::vector<Sphere> spheres_;
-  std::vector<float> positions_;
+  std::vector<float> xyz_;  // of one pup
   float sphere_radius_ = 0, arena_radius_ = 0;
   Bounds bounds_;
 };

@@ -65,20 +65,18 @@ void ArenaView::zoom(double factor) {
   moved_ = true;
 }
 
-view::Camera ArenaView::framed(const Snapshot& snapshot, double aspect) const {
-  return moved_ ? camera_ : pictures::framed_camera(spec_, snapshot.params, aspect);
+view::Camera ArenaView::framed(const LiveState& snapshot, double aspect) const {
+  return moved_ ? camera_ : pictures::framed_camera(spec_, snapshot.view().params, aspect);
 }
 
-void ArenaView::load(const Snapshot& snapshot, const pictures::Look& look,
+void ArenaView::load(const LiveState& snapshot, const pictures::Look& look,
                      const view::Camera& camera) {
   const view::ColorScale scale(look.colormap, look.scale_min, look.scale_max);
-  list_.update(view::LitterState{snapshot.params, static_cast<std::size_t>(snapshot.points),
-                                 snapshot.positions, snapshot.body_temperature},
-               scale, camera);
+  list_.update(snapshot.view(), scale, camera);
   renderer_.upload(list_);
 }
 
-bool ArenaView::draw(const Snapshot& snapshot, bool fresh, const pictures::Look& look, int width,
+bool ArenaView::draw(const LiveState& snapshot, bool fresh, const pictures::Look& look, int width,
                      int height, int samples) {
   camera_ = framed(snapshot, static_cast<double>(width) / height);
   const bool reload = fresh || camera_ != drawn_camera_ || look.colormap != drawn_map_;
@@ -95,7 +93,7 @@ bool ArenaView::draw(const Snapshot& snapshot, bool fresh, const pictures::Look&
   return true;
 }
 
-void ArenaView::write_picture(const std::string& path, const Snapshot& snapshot,
+void ArenaView::write_picture(const std::string& path, const LiveState& snapshot,
                               const pictures::Look& look) {
   const pictures::RenderJob usual;
   pictures::Frame frame(usual.width, usual.height, true);
@@ -106,9 +104,9 @@ void ArenaView::write_picture(const std::string& path, const Snapshot& snapshot,
       renderer_.picture(camera, frame.scene_width(), frame.height(), look.supersample);
   const view::ColorScale scale(look.colormap, look.scale_min, look.scale_max);
   const io::Image picture =
-      frame.compose(std::move(scene), scale, snapshot.params.preferred_temperature);
+      frame.compose(std::move(scene), scale, snapshot.view().params.preferred_temperature);
 
-  io::TextEntries extra{{"picture", "live"}, {"step", std::to_string(snapshot.step)}};
+  io::TextEntries extra{{"picture", "live"}, {"step", std::to_string(snapshot.view().step)}};
   const io::TextEntries where =
       moved_ ? moved_camera(camera, spec_) : io::TextEntries{{"camera", spec_}};
   extra.insert(extra.end(), where.begin(), where.end());
@@ -118,7 +116,7 @@ void ArenaView::write_picture(const std::string& path, const Snapshot& snapshot,
   }
   const io::TextEntries looks = pictures::look_entries(look);
   extra.insert(extra.end(), looks.begin(), looks.end());
-  io::write_png(path, picture, io::provenance(snapshot.params, extra), false);
+  io::write_png(path, picture, io::provenance(snapshot.view().params, extra), false);
 }
 
 std::string picture_path(const std::string& pattern, std::int64_t step) {

@@ -33,19 +33,20 @@ class ArenaView {
   /// Draws `snapshot` into a store of its own, `width` x `height` pixels with `samples` x `samples`
   /// samples each, unless it is drawn there already. `fresh` says that the snapshot is another one
   /// than last time. Returns whether anything was drawn.
-  bool draw(const Snapshot& snapshot, bool fresh, const pictures::Look& look, int width, int height,
-            int samples);
+  bool draw(const LiveState& snapshot, bool fresh, const pictures::Look& look, int width,
+            int height, int samples);
 
   /// Copies what was drawn to (x, y) (lower left) of the window.
   void show(int x, int y) const { store_.copy_to(0, x, y); }
 
   /// Writes the picture that `pupflow render` would make from here, in its usual size, with the
   /// colour bar and all that is needed to make it again. Overwrites nothing. Throws Failure.
-  void write_picture(const std::string& path, const Snapshot& snapshot, const pictures::Look& look);
+  void write_picture(const std::string& path, const LiveState& snapshot,
+                     const pictures::Look& look);
 
  private:
-  void load(const Snapshot& snapshot, const pictures::Look& look, const view::Camera& camera);
-  view::Camera framed(const Snapshot& snapshot, double aspect) const;
+  void load(const LiveState& snapshot, const pictures::Look& look, const view::Camera& camera);
+  view::Camera framed(const LiveState& snapshot, double aspect) const;
 
   gl::Renderer renderer_;
   gl::Target store_;

@@ -3,26 +3,10 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 
-#include "pupflow/observer.h"
+#include "pupflow/fields.h"
 
 namespace pupflow::window {
-
-/// One observable as it is shown.
-struct ObservableRow {
-  const char* name;   // as in the files that the program writes
-  const char* label;  // short, for people
-  const char* unit;
-  const char* doc;
-  double Observables::*value;
-  int digits;                 // after the point
-  double span_min, span_max;  // a plot shows at least this much
-};
-constexpr std::size_t kObservableCount = 6;
-
-/// Every member of Observables, in the order in which they are shown.
-std::span<const ObservableRow, kObservableCount> observable_rows();
 
 /// A ring of samples, each the mean over kStepsPerSample steps (flow jumps from step to step).
 class History {
@@ -30,8 +14,8 @@ class History {
   static constexpr int kSamples = 600;
   static constexpr int kStepsPerSample = 5;
 
-  /// Adds the observables after one step at model time `time`.
-  void add(double time, const Observables& observables);
+  /// Adds what was seen after one step at model time `time`.
+  void add(double time, const Observables& seen);
   void clear() { *this = History{}; }
 
   int size() const { return size_; }

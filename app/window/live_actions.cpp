@@ -156,9 +156,9 @@ void LiveWindow::perform(Action action, double now) {
 }
 
 void LiveWindow::take_picture() {
-  const Snapshot& snapshot = runner_.snapshot();
+  const LiveState& snapshot = runner_.snapshot();
   try {
-    const std::string path = picture_path(job_.screenshot, snapshot.step);
+    const std::string path = picture_path(job_.screenshot, snapshot.view().step);
     arena_.write_picture(path, snapshot, controls_.look);
     events_.screenshot(path);
     show("saved " + path);

@@ -92,10 +92,10 @@ void LiveWindow::follow_visibility() {
 
 void LiveWindow::exchange_snapshots(double now) {
   if (runner_.take()) {
-    const Snapshot& snapshot = runner_.snapshot();
+    const LiveState& snapshot = runner_.snapshot();
     schedule_.snapshot_arrived(now);
     events_.snapshot(snapshot);
-    if (!snapshot.rejected.empty()) controls_.params = snapshot.params;
+    if (!snapshot.rejected.empty()) controls_.params = snapshot.view().params;
   }
   if (!schedule_.wants_snapshot(now)) return;
   runner_.request();
@@ -108,7 +108,7 @@ void LiveWindow::frame(double now) {
   const ImGuiIO& io = ImGui::GetIO();
   const Layout layout =
       make_layout(io.DisplaySize.x, io.DisplaySize.y, gui_->scale(), controls_.panels);
-  const Snapshot& snapshot = runner_.snapshot();
+  const LiveState& snapshot = runner_.snapshot();
   const double rate = snapshot.playing ? schedule_.frames_per_second() : 0;
   observe(panels_.draw(layout, snapshot, rate, controls_, gui_->fonts(), events_));
   if (schedule_.shows_message()) draw_message(layout.arena, message_);

@@ -15,16 +15,25 @@ std::string number(double value, int digits) {
   return text;
 }
 
-void draw_numbers(const Snapshot& snapshot, const Fonts& fonts) {
+std::string text_of(std::string_view words) {
+  return std::string(words);
+}
+
+void tip(const Field& field) {
+  if (!ImGui::IsItemHovered()) return;
+  ImGui::SetTooltip("%s\n%s", text_of(field.doc).c_str(), text_of(field.equation).c_str());
+}
+
+void draw_numbers(const LiveState& snapshot, const Fonts& fonts) {
   if (!ImGui::BeginTable("numbers", 3)) return;
   const float em = ImGui::GetFontSize();
   ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, 4 * em);
   ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, 2.6f * em);
-  for (const ObservableRow& row : observable_rows()) {
+  for (const ObservableField& row : observables()) {
     ImGui::TableNextColumn();
-    rich_text(fonts, kInk, row.label);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.doc);
+    rich_text(fonts, kInk, text_of(row.label).c_str());
+    tip(row);
     ImGui::TableNextColumn();
     const std::string text =
         snapshot.observables ? number(*snapshot.observables.*row.value, row.digits) : "\u2013";
@@ -34,7 +43,7 @@ void draw_numbers(const Snapshot& snapshot, const Fonts& fonts) {
     ImGui::TextUnformatted(text.c_str());
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", row.unit);
+    ImGui::TextDisabled("%s", text_of(row.unit).c_str());
   }
   ImGui::EndTable();
 }
@@ -45,8 +54,8 @@ struct Range {
 
 /// What the plot of one observable spans: its least range, widened to all there is to show.
 Range span_of(const History& history, std::size_t observable) {
-  const ObservableRow& row = observable_rows()[observable];
-  Range range{static_cast<float>(row.span_min), static_cast<float>(row.span_max)};
+  const ObservableField& row = observables()[observable];
+  Range range{static_cast<float>(row.low), static_cast<float>(row.high)};
   for (int i = 0; i < history.size(); ++i) {
     range.low = std::min(range.low, history.value(observable, i));
     range.high = std::max(range.high, history.value(observable, i));
@@ -74,13 +83,13 @@ void draw_curve(ImDrawList& list, const History& history, std::size_t observable
   for (int i = 1; i < history.size(); ++i) list.AddLine(place(i - 1), place(i), kAccent, width);
 }
 
-void draw_plot(const Snapshot& snapshot, const Fonts& fonts, std::size_t observable) {
-  const ObservableRow& row = observable_rows()[observable];
+void draw_plot(const LiveState& snapshot, const Fonts& fonts, std::size_t observable) {
+  const ObservableField& row = observables()[observable];
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float em = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size{ImGui::GetContentRegionAvail().x, (1.2f + kPlotLines) * em};
-  draw_rich_text(list, fonts, corner, kInk, row.label);
+  draw_rich_text(list, fonts, corner, kInk, text_of(row.label).c_str());
   const float labels = 2.7f * em, top = 1.35f * em;
   const ImVec2 low{corner.x + labels, corner.y + top}, room{size.x - labels, size.y - top};
   const Range range = span_of(snapshot.history, observable);
@@ -99,21 +108,21 @@ void draw_plot(const Snapshot& snapshot, const Fonts& fonts, std::size_t observa
   label(range.low, low.y + room.y - 0.85f * em);
   draw_curve(list, snapshot.history, observable, range, low, room);
   ImGui::Dummy({size.x, size.y + 0.2f * em});
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.doc);
+  tip(row);
 }
 
-void draw_plots(const Snapshot& snapshot, const Fonts& fonts) {
+void draw_plots(const LiveState& snapshot, const Fonts& fonts) {
   for (std::size_t k = 0; k < kObservableCount; ++k) draw_plot(snapshot, fonts, k);
   constexpr int kSteps = History::kSamples * History::kStepsPerSample;
   ImGui::PushFont(fonts.small);
   ImGui::TextDisabled("the last %d steps (%.3g s), means over %d", kSteps,
-                      kSteps * snapshot.params.dt, History::kStepsPerSample);
+                      kSteps * snapshot.view().params.dt, History::kStepsPerSample);
   ImGui::PopFont();
 }
 
 }  // namespace
 
-bool draw_numbers_panel(const Snapshot& snapshot, const Fonts& fonts, TestEvents& events) {
+bool draw_numbers_panel(const LiveState& snapshot, const Fonts& fonts, TestEvents& events) {
   const bool numbers = ImGui::CollapsingHeader("numbers", ImGuiTreeNodeFlags_DefaultOpen);
   events.widget("numbers");
   if (numbers) draw_numbers(snapshot, fonts);

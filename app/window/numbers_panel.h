@@ -9,6 +9,6 @@ namespace pupflow::window {
 
 /// Draws both parts into the current Dear ImGui window. True when one of them is open: somebody
 /// looks at the observables.
-bool draw_numbers_panel(const Snapshot& snapshot, const Fonts& fonts, TestEvents& events);
+bool draw_numbers_panel(const LiveState& snapshot, const Fonts& fonts, TestEvents& events);
 
 }  // namespace pupflow::window

@@ -85,7 +85,7 @@ void draw_help(const Area& arena, Controls& controls, const Fonts& fonts, TestEv
   ImGui::End();
 }
 
-void draw_bad_status(const Area& arena, const Snapshot& snapshot, Controls& controls,
+void draw_bad_status(const Area& arena, const LiveState& snapshot, Controls& controls,
                      const Fonts& fonts, TestEvents& events) {
   if (snapshot.status.ok()) return;
   const float em = ImGui::GetFontSize();
@@ -109,7 +109,7 @@ void draw_bad_status(const Area& arena, const Snapshot& snapshot, Controls& cont
   ImGui::PopStyleColor(2);
 }
 
-void draw_warnings(const Area& arena, const Snapshot& snapshot) {
+void draw_warnings(const Area& arena, const LiveState& snapshot) {
   if (snapshot.warnings.empty() || !snapshot.status.ok()) return;
   const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({arena.middle().x, arena.corner.y + em}, ImGuiCond_Always, {0.5f, 0});

@@ -28,11 +28,11 @@ void draw_color_bar(const Area& strip, const view::ColorScale& scale, double tp,
 void draw_help(const Area& arena, Controls& controls, const Fonts& fonts, TestEvents& events);
 
 /// Says where the numbers went wrong and offers to start again.
-void draw_bad_status(const Area& arena, const Snapshot& snapshot, Controls& controls,
+void draw_bad_status(const Area& arena, const LiveState& snapshot, Controls& controls,
                      const Fonts& fonts, TestEvents& events);
 
 /// A line for each warning at the top of the arena, while the numbers are good.
-void draw_warnings(const Area& arena, const Snapshot& snapshot);
+void draw_warnings(const Area& arena, const LiveState& snapshot);
 
 /// A line at the bottom of the arena.
 void draw_message(const Area& arena, const std::string& text);

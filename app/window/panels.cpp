@@ -25,7 +25,7 @@ void begin_panel(const char* name, const Area& area) {
   ImGui::PopStyleVar();
 }
 
-void draw_problem(const Controls& controls, const Snapshot& snapshot) {
+void draw_problem(const Controls& controls, const LiveState& snapshot) {
   const std::string& text = controls.problem.empty() ? snapshot.rejected : controls.problem;
   if (text.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, kBad);
@@ -33,7 +33,7 @@ void draw_problem(const Controls& controls, const Snapshot& snapshot) {
   ImGui::PopStyleColor();
 }
 
-void draw_view(const Snapshot& snapshot, double frames_per_second, Controls& controls,
+void draw_view(const LiveState& snapshot, double frames_per_second, Controls& controls,
                TestEvents& events) {
   const bool open = ImGui::CollapsingHeader("view", ImGuiTreeNodeFlags_DefaultOpen);
   events.widget("view");
@@ -87,7 +87,7 @@ Layout make_layout(float width, float height, float scale, bool panels) {
   return layout;
 }
 
-bool Panels::draw(const Layout& layout, const Snapshot& snapshot, double frames_per_second,
+bool Panels::draw(const Layout& layout, const LiveState& snapshot, double frames_per_second,
                   Controls& controls, const Fonts& fonts, TestEvents& events) {
   bool observed = false;
   if (controls.panels) {
@@ -111,7 +111,7 @@ bool Panels::draw(const Layout& layout, const Snapshot& snapshot, double frames_
   }
   const view::ColorScale scale(controls.look.colormap, controls.look.scale_min,
                                controls.look.scale_max);
-  draw_color_bar(layout.bar, scale, snapshot.params.preferred_temperature, fonts);
+  draw_color_bar(layout.bar, scale, snapshot.view().params.preferred_temperature, fonts);
   draw_warnings(layout.arena, snapshot);
   draw_bad_status(layout.arena, snapshot, controls, fonts, events);
   draw_help(layout.arena, controls, fonts, events);

@@ -26,7 +26,7 @@ class Panels {
  public:
   /// Submits all panels and overlays of one frame. What the user asked for is left in `controls`.
   /// `frames_per_second` is 0 while nothing moves. Returns whether the observables were shown.
-  bool draw(const Layout& layout, const Snapshot& snapshot, double frames_per_second,
+  bool draw(const Layout& layout, const LiveState& snapshot, double frames_per_second,
             Controls& controls, const Fonts& fonts, TestEvents& events);
 
  private:

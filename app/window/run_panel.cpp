@@ -23,7 +23,7 @@ void button(const char* label, const char* name, const char* doc, Action action,
   tip(doc);
 }
 
-void draw_buttons(const Snapshot& snapshot, Controls& controls, TestEvents& events) {
+void draw_buttons(const LiveState& snapshot, Controls& controls, TestEvents& events) {
   constexpr int kButtons = 5;
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - (kButtons - 1) * gap) / kButtons;
@@ -41,17 +41,17 @@ void draw_buttons(const Snapshot& snapshot, Controls& controls, TestEvents& even
   button("Help", "help", "Keys and mouse (F1)", Action::toggle_help, width, controls, events);
 }
 
-void draw_clock(const Snapshot& snapshot) {
+void draw_clock(const LiveState& snapshot) {
   char text[128];
-  std::snprintf(text, sizeof text, "%.2f s", snapshot.time);
+  std::snprintf(text, sizeof text, "%.2f s", snapshot.view().time);
   ImGui::TextUnformatted(text);
   ImGui::SameLine();
-  ImGui::TextDisabled("of model time, step %lld", static_cast<long long>(snapshot.step));
+  ImGui::TextDisabled("of model time, step %lld", static_cast<long long>(snapshot.view().step));
   if (!snapshot.playing) {
     std::snprintf(text, sizeof text, "paused");
   } else {
     std::snprintf(text, sizeof text, "%.3g \u00d7 real time",
-                  snapshot.steps_per_second * snapshot.params.dt);
+                  snapshot.steps_per_second * snapshot.view().params.dt);
   }
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text).x);
   ImGui::TextDisabled("%s", text);
@@ -109,7 +109,7 @@ std::int64_t new_seed() {
   return static_cast<std::int64_t>(device() % 1'000'000u);  // short enough to read out and retype
 }
 
-void draw_run_panel(const Snapshot& snapshot, Controls& controls, TestEvents& events) {
+void draw_run_panel(const LiveState& snapshot, Controls& controls, TestEvents& events) {
   draw_buttons(snapshot, controls, events);
   draw_clock(snapshot);
   draw_speed(controls, events);

@@ -13,6 +13,6 @@ namespace pupflow::window {
 std::int64_t new_seed();
 
 /// Draws the buttons, the clock, speed and seed into the current Dear ImGui window.
-void draw_run_panel(const Snapshot& snapshot, Controls& controls, TestEvents& events);
+void draw_run_panel(const LiveState& snapshot, Controls& controls, TestEvents& events);
 
 }  // namespace pupflow::window

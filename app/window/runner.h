@@ -44,7 +44,7 @@ class Runner {
   /// the new one. Rethrows the exception that ended the runner's thread. `take` and `snapshot` are
   /// for one thread only.
   bool take();
-  const Snapshot& snapshot() const { return *front_; }
+  const LiveState& snapshot() const { return *front_; }
 
  private:
   void loop();
@@ -72,10 +72,10 @@ class Runner {
   std::exception_ptr failure_;
 
   // Three buffers: the runner fills back_, the window reads front_, and middle_ is handed over.
-  std::array<Snapshot, 3> buffers_;
-  Snapshot* back_ = &buffers_[0];
-  Snapshot* middle_ = &buffers_[1];
-  Snapshot* front_ = &buffers_[2];
+  std::array<LiveState, 3> buffers_;
+  LiveState* back_ = &buffers_[0];
+  LiveState* middle_ = &buffers_[1];
+  LiveState* front_ = &buffers_[2];
 
   std::thread thread_;  // last: it starts when all other members exist
 };

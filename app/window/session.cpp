@@ -8,7 +8,7 @@ namespace pupflow::window {
 Session::Session(const Params& params, bool playing, int threads)
     : simulation_(params), threads_(threads), playing_(playing) {
   simulation_.set_threads(threads_);
-  simulation_.set_observed(false);
+  record();
 }
 
 void Session::apply(const Command& command) {
@@ -30,6 +30,9 @@ void Session::apply(const Command& command) {
           restart(simulation_.params());
         } else if constexpr (std::is_same_v<Asked, Observe>) {
           observe(asked.on);
+        } else if constexpr (std::is_same_v<Asked, ColorBy>) {
+          color_by_ = asked.field;
+          record();
         } else {
           static_assert(std::is_same_v<Asked, Suspend>);
           suspended_ = asked.on;
@@ -62,19 +65,25 @@ void Session::restart(const Params& params) {
   pending_ = 0;
   edited_at_ = 0;
   simulation_.set_threads(threads_);
-  simulation_.set_observed(observed_);
+  record();
   look_anew();
 }
 
 void Session::observe(bool on) {
   if (on == observed_) return;
   observed_ = on;
-  simulation_.set_observed(on);
+  record();
   look_anew();
 }
 
-// While nobody looked, contacts may not have been recorded: an observer that compares steps must
-// see one step first, unless the litter is still untouched.
+/// Has the steps to come record what is shown.
+void Session::record() {
+  simulation_.set_observed((observed_ ? ObservableSet::all().parts() : PartSet{}) |
+                           color_by_->parts);
+}
+
+// Before, contacts may not have been recorded: an observer that compares steps must see one step
+// first, unless the litter is still untouched.
 void Session::look_anew() {
   history_.clear();
   observables_.reset();
@@ -99,28 +108,20 @@ void Session::step() {
   history_.add(simulation_.time(), *observables_);
 }
 
-void Session::fill(Snapshot& snapshot, bool with_hash) {
+void Session::fill(LiveState& state, bool with_hash) {
   changed_ = false;
-  snapshot.params = simulation_.params();
-  snapshot.pups = simulation_.pups();
-  snapshot.points = simulation_.points();
-  snapshot.positions.resize(std::size_t{3} * snapshot.pups * snapshot.points);
-  simulation_.copy_positions(std::span<float>(snapshot.positions));
-  const auto temperatures = simulation_.body_temperature();
-  snapshot.body_temperature.assign(temperatures.begin(), temperatures.end());
-  snapshot.observables = observables_;
-  snapshot.history = history_;
-  snapshot.step = simulation_.steps_done();
-  snapshot.edited_at = edited_at_;
-  snapshot.time = simulation_.time();
-  snapshot.status = simulation_.status();
+  state.litter.take(simulation_, color_by_->velocities);
+  state.observables = observables_;
+  state.history = history_;
+  state.edited_at = edited_at_;
+  state.status = simulation_.status();
   const auto warnings = simulation_.warnings();
-  snapshot.warnings.assign(warnings.begin(), warnings.end());
-  snapshot.playing = playing_;
-  snapshot.speed = speed_;
-  snapshot.rejected = rejected_;
-  snapshot.hash.reset();
-  if (with_hash) snapshot.hash = simulation_.hash();
+  state.warnings.assign(warnings.begin(), warnings.end());
+  state.playing = playing_;
+  state.speed = speed_;
+  state.rejected = rejected_;
+  state.hash.reset();
+  if (with_hash) state.hash = simulation_.hash();
 }
 
 }  // namespace pupflow::window

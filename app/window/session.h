@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/window/history.h"
+#include "pupflow/fields.h"
 #include "pupflow/observer.h"
 #include "pupflow/simulation.h"
 
@@ -26,25 +27,24 @@ struct Edit {  // a whole parameter set; a new litter when one that defines it d
   Params params;
 };
 struct Restart {};  // the same litter from t = 0
-struct Observe {    // whether anybody looks at the observables
+struct Observe {    // whether the observables are shown
   bool on;
 };
-struct Suspend {  // nobody looks at all: no steps until further notice
+struct ColorBy {  // the field of a pup or an afferent that is shown as color
+  const LitterField* field;
+};
+struct Suspend {  // the window is hidden: no steps until further notice
   bool on;
 };
-using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Observe, Suspend>;
+using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Observe, ColorBy, Suspend>;
 
-/// The litter as the window shows it.
-struct Snapshot {
-  Params params;
-  int pups = 0, points = 0;      // points per pup
-  std::vector<float> positions;  // x0 y0 z0 x1 ... of all points, pup by pup
-  std::vector<double> body_temperature;
+/// What the window shows: the litter, and how it is being stepped.
+struct LiveState {
+  LitterCopy litter;
+  LitterView view() const { return litter.view(); }
   std::optional<Observables> observables;  // of the last step, when observed
   History history;
-  std::int64_t step = 0;
   std::int64_t edited_at = 0;  // the step after which parameters were last changed; 0: never
-  double time = 0;             // model seconds
   Status status;
   std::vector<Warning> warnings;
   bool playing = false;
@@ -72,23 +72,25 @@ class Session {
   /// Takes one step. A bad status ends playing.
   void step();
 
-  /// Whether anything that a snapshot holds changed since the last `fill`.
+  /// Whether anything that a state holds changed since the last `fill`.
   bool changed() const { return changed_; }
 
-  /// Writes the state into `snapshot` (what is measured by the clock is left as it is). With
+  /// Writes the state into `state` (what is measured by the clock is left as it is). With
   /// `with_hash` the simulation's hash too.
-  void fill(Snapshot& snapshot, bool with_hash);
+  void fill(LiveState& state, bool with_hash);
 
  private:
   void edit(const Params& params);
   void restart(const Params& params);
   void observe(bool on);
+  void record();
   void look_anew();
 
   Simulation simulation_;
   std::optional<Observer> observer_;  // none while nobody looks, and before its first step
   std::optional<Observables> observables_;
   History history_;
+  const LitterField* color_by_ = &pup_fields().front();
   int threads_;  // that share a step
   bool observed_ = false, suspended_ = false, playing_, changed_ = true;
   std::int64_t edited_at_ = 0;

@@ -40,23 +40,24 @@ void TestEvents::widget(std::string_view name) {
   say(line);
 }
 
-void TestEvents::snapshot(const Snapshot& snapshot) {
+void TestEvents::snapshot(const LiveState& snapshot) {
   if (!on_) return;
   for (const Parameter& parameter : parameters()) {
-    if (params_ && parameter.get(*params_) == parameter.get(snapshot.params)) continue;
-    say("value " + std::string(parameter.name) + ' ' + format_value(parameter, snapshot.params));
+    if (params_ && parameter.get(*params_) == parameter.get(snapshot.view().params)) continue;
+    say("value " + std::string(parameter.name) + ' ' +
+        format_value(parameter, snapshot.view().params));
   }
-  params_ = snapshot.params;
+  params_ = snapshot.view().params;
   if (playing_ != snapshot.playing) say(snapshot.playing ? "state playing" : "state paused");
   playing_ = snapshot.playing;
   const Clock::time_point now = Clock::now();
-  if (snapshot.step != step_ && (!snapshot.playing || now - step_said_ >= kStepEvery)) {
-    say("step " + std::to_string(snapshot.step));
-    step_ = snapshot.step;
+  if (snapshot.view().step != step_ && (!snapshot.playing || now - step_said_ >= kStepEvery)) {
+    say("step " + std::to_string(snapshot.view().step));
+    step_ = snapshot.view().step;
     step_said_ = now;
   }
   if (!snapshot.playing && snapshot.hash && snapshot.hash != hash_) {
-    say("hash " + std::to_string(snapshot.step) + ' ' + hex(*snapshot.hash));
+    say("hash " + std::to_string(snapshot.view().step) + ' ' + hex(*snapshot.hash));
     hash_ = snapshot.hash;
   }
   if (!snapshot.status.ok() && !bad_) say("bad " + snapshot.status.message());

@@ -33,7 +33,7 @@ class TestEvents {
   /// The Dear ImGui item just submitted, if any of it can be seen.
   void widget(std::string_view name);
 
-  void snapshot(const Snapshot& snapshot);
+  void snapshot(const LiveState& snapshot);
   void help(bool shown);
   void text(bool has_keyboard);
   void camera(const view::Camera& camera);

@@ -6,6 +6,7 @@
 #include "app/io/provenance.h"
 #include "app/io/recording.h"
 #include "failing.h"
+#include "pupflow/simulation.h"
 #include "tests/support/scratch.h"
 
 namespace pupflow::io {
@@ -90,17 +91,17 @@ TEST(Recording, HoldsWhatTheLitterWas) {
       s.run(10);
       recording.add(s);
       std::vector<float> xyz(numbers);
-      s.copy_positions(xyz);
+      s.view().positions.copy_to(xyz);
       positions.insert(positions.end(), xyz.begin(), xyz.end());
-      tb.insert(tb.end(), s.body_temperature().begin(), s.body_temperature().end());
+      tb.insert(tb.end(), s.view().tb.begin(), s.view().tb.end());
     }
     EXPECT_FALSE(std::filesystem::exists(scratch.path("r.h5")));  // whole or not at all
     recording.commit("interrupted");
   }
   const Hdf5Reader file(scratch.path("r.h5"));
   EXPECT_THAT(file.numbers("step"), ElementsAre(10, 20, 30));
-  EXPECT_EQ(file.numbers("position"), positions);
-  EXPECT_EQ(file.numbers("body_temperature"), tb);
+  EXPECT_EQ(file.numbers("point/position"), positions);
+  EXPECT_EQ(file.numbers("pup/tb"), tb);
   EXPECT_EQ(params_of_file(scratch.path("r.h5")), s.params());
   EXPECT_THAT(file.text(), ::testing::Contains(
                                std::pair<std::string, std::string>("ended early", "interrupted")));

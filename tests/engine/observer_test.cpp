@@ -39,13 +39,13 @@ TEST_F(RowOfThree, ObservablesAreCountedRight) {
   Observer observer(simulation);
   simulation.step();
   const Observables& now = observer.observe(simulation);
-  const auto exposed = simulation.exposed();
+  const auto exposed = simulation.view().exposed;
   EXPECT_LT(exposed[0], 1);
   EXPECT_EQ(exposed[2], 1);
   EXPECT_DOUBLE_EQ(now.huddling, 1 - (exposed[0] + exposed[1] + 1) / 3);
   EXPECT_EQ(now.groups, 2);
   EXPECT_EQ(now.largest, 2);
-  const auto tb = simulation.body_temperature();
+  const auto tb = simulation.view().tb;
   EXPECT_DOUBLE_EQ(now.mean_tb, (tb[0] + tb[1] + tb[2]) / 3);
   EXPECT_NEAR(now.flow, ((1 - exposed[0]) + (1 - exposed[1])) / 3 / 0.01, 1e-12);
   EXPECT_DOUBLE_EQ(now.membership_flow, 2 / (3 * 0.01));  // two pups found each other
@@ -72,7 +72,7 @@ TEST_F(RowOfThree, FlowComparesOverItsLag) {
   for (int step = 1; step <= 9; ++step) {
     put(0, 0), put(1, 0.58 - 0.003 * step * step), put(2, 1.5);  // ever deeper
     simulation.step();
-    exposed.emplace_back(simulation.exposed().begin(), simulation.exposed().end());
+    exposed.emplace_back(simulation.view().exposed.begin(), simulation.view().exposed.end());
     const double flow = every.observe(simulation).flow;
     if (step < 3) {
       EXPECT_TRUE(std::isnan(flow)) << step;
@@ -103,17 +103,17 @@ TEST_F(RowOfThree, FlowOverALagIsTheChangeOfAOverItsTime) {
     observer.pass(simulation);
   }
   simulation.step();
-  const auto a = simulation.exposed();  // from 1 at the start
+  const auto a = simulation.view().exposed;  // from 1 at the start
   EXPECT_NEAR(observer.observe(simulation).flow, (3 - a[0] - a[1] - a[2]) / 3 / 0.05, 1e-12);
 }
 
 TEST_F(RowOfThree, OnlyWhatIsWantedIsComputed) {
-  for (const ObservableName& row : observable_names()) {
+  for (const ObservableField& row : observables()) {
     Observer all(simulation);
     Observer one(simulation, ObservableSet().add(row.observable));
     simulation.step();
     const Observables &whole = all.observe(simulation), &part = one.observe(simulation);
-    for (const ObservableName& other : observable_names()) {
+    for (const ObservableField& other : observables()) {
       if (other.observable == row.observable) {
         EXPECT_EQ(part.*other.value, whole.*other.value) << other.name;
       } else {
@@ -142,7 +142,7 @@ TEST_F(RowOfThree, TheMeanOfTheFlowIsOverTheStepsThatHaveOne) {
 
 TEST(Observer, TheTableOfNamesIsThatOfTheEnum) {
   for (std::size_t i = 0; i < kObservableCount; ++i)
-    EXPECT_EQ(static_cast<std::size_t>(observable_names()[i].observable), i);
+    EXPECT_EQ(static_cast<std::size_t>(observables()[i].observable), i);
 }
 
 TEST_F(RowOfThree, RunMeansLeaveOutTheDiscardedSteps) {
@@ -156,7 +156,7 @@ TEST_F(RowOfThree, RunMeansLeaveOutTheDiscardedSteps) {
     means.add(simulation, now);
     if (i < 3) continue;
     tb += now.mean_tb / 7;
-    exposed.push_back(simulation.exposed()[0]);
+    exposed.push_back(simulation.view().exposed[0]);
   }
   EXPECT_EQ(means.count(), 7);
   EXPECT_NEAR(means.means().mean_tb, tb, 1e-14);

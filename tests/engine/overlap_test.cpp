@@ -130,10 +130,10 @@ TEST(Overlap, TouchingPointsInsideAreNotExposed) {
   const auto all = testing::all_positions(two.simulation);
   const int n = two.simulation.points();
   for (int i = 0; i < 2 * n; ++i) {
-    const Vector3d other = two.simulation.centre(i < n ? 1 : 0);
+    const Vector3d other = two.simulation.view().positions.mean(i < n ? 1 : 0);
     if ((all[i] - other).norm() > 0.245) continue;
     ++inside;
-    exposed += two.simulation.touched_pup()[i] < 0 ? 1 : 0;
+    exposed += two.simulation.view().touched[i] < 0 ? 1 : 0;
   }
   EXPECT_GT(inside, 20);
   EXPECT_NEAR(o.inside * 2 * n, inside, 0.2 * inside);

@@ -26,7 +26,7 @@ void PrintTo(const Omission& omission, std::ostream* out) {
 
 void everything(Plan& plan) {
   plan.stages.fill(true);
-  plan.parts.fill(true);
+  plan.parts = PartSet::all();
 }
 
 /// Forces one stage, with all parts of it that `which` names.
@@ -42,7 +42,7 @@ std::function<void(Plan&)> part(Part forced) {
 }
 
 const auto kContact = stage(Stage::contact, {Part::exposure, Part::owners, Part::pairs});
-const auto kSteering = stage(Stage::steering, {Part::turn});
+const auto kSteering = stage(Stage::steering, {Part::turn, Part::direction});
 const auto kHeat = stage(Stage::heat, {Part::mean_temperature});
 const auto kShapeMatch = stage(Stage::shape_match, {Part::rotation});
 const auto kAllOfShapeMatch = stage(Stage::shape_match, {Part::rotation, Part::quadratic});
@@ -228,8 +228,8 @@ TEST_P(Forced, StagesThatAreLeftOutWouldChangeNoBit) {
   p.precision = std::get<1>(GetParam());
   omission.edit(p);
   Simulation lean(p), forced(p);
-  lean.set_observed(false);
-  forced.set_observed(false);
+  lean.set_observed({});
+  forced.set_observed({});
   Plan more;
   omission.force(more);
   forced.force_plan(more);
@@ -263,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(Plan, Forced,
 /// aside where nothing reads them.
 bool same_bits_when_forced(const Params& p, int steps) {
   Simulation lean(p);
-  lean.set_observed(false);
+  lean.set_observed({});
   for (int pup = 0; pup < p.pups; ++pup) lean.set_body_temperature(pup, 0.5 - 0.1 * pup);
   Simulation forced(lean);
   Plan more;

@@ -10,13 +10,15 @@ namespace {
 Plan plan_of(void (*edit)(Params&)) {
   Params p;
   edit(p);
-  return make_plan(p, true);
+  return make_plan(p, kContactRecords);
 }
 
 TEST(Plan, ThePapersLitterNeedsEverything) {
-  const Plan plan = make_plan(Params{}, true);
+  const Plan plan = make_plan(Params{}, kContactRecords);
   for (const bool needed : plan.stages) EXPECT_TRUE(needed);
-  for (const bool needed : plan.parts) EXPECT_TRUE(needed);
+  EXPECT_EQ(plan.parts,
+            (PartSet{Part::exposure, Part::owners, Part::pairs, Part::turn, Part::direction,
+                     Part::mean_temperature, Part::rotation, Part::quadratic}));
 }
 
 TEST(Plan, LeavesOutWhatASceneDoesNotNeed) {
@@ -33,17 +35,17 @@ TEST(Plan, LeavesOutWhatASceneDoesNotNeed) {
       plan_of([](Params& p) { p.air_conductance = p.contact_conductance = 0; }).has(Stage::heat));
   const Plan nobody = plan_of([](Params& p) { p.pups = 0; });
   for (const bool needed : nobody.stages) EXPECT_FALSE(needed);
-  for (const bool needed : nobody.parts) EXPECT_FALSE(needed);
+  EXPECT_TRUE(nobody.parts.empty());
 }
 
 TEST(Plan, WhereNobodyTurnsABodyStillHasADirection) {
   for (double Params::*const cause : {&Params::steering_gain, &Params::sensitivity}) {
     Params p;
     p.*cause = 0;
-    EXPECT_FALSE(make_plan(p, true).has(Stage::steering));
+    EXPECT_FALSE(make_plan(p, kContactRecords).has(Stage::steering));
     p.heading = Heading::body;
-    EXPECT_TRUE(make_plan(p, true).has(Stage::steering));
-    EXPECT_FALSE(make_plan(p, true).has(Part::turn));
+    EXPECT_TRUE(make_plan(p, kContactRecords).has(Stage::steering));
+    EXPECT_FALSE(make_plan(p, kContactRecords).has(Part::turn));
   }
 }
 
@@ -65,7 +67,7 @@ TEST(Plan, ContactsRecordWhatSomebodyReads) {
     p.drive = c.drive;
     p.air_conductance = c.k1;
     p.contact_conductance = c.k2;
-    const Plan plan = make_plan(p, c.observed);
+    const Plan plan = make_plan(p, c.observed ? kContactRecords : PartSet{});
     const std::array<bool, 3> found{plan.has(Part::exposure), plan.has(Part::owners),
                                     plan.has(Part::pairs)};
     EXPECT_EQ(found, c.expected) << c.drive << ' ' << c.k1 << ' ' << c.k2 << ' ' << c.observed;
@@ -85,10 +87,10 @@ TEST(Plan, EveryDecisionHasAReason) {
       Params p;
       p.pups = pups;
       p.drive = drive;
-      const Plan plan = make_plan(p, false);
+      const Plan plan = make_plan(p, {});
       Plan explained;
       int stages = 0;
-      for (const Decision& decision : explain_plan(p, false)) {
+      for (const Decision& decision : explain_plan(p, {})) {
         EXPECT_FALSE(decision.reason.empty());
         if (!decision.part) {
           EXPECT_EQ(decision.stage, static_cast<Stage>(stages++));
@@ -108,7 +110,7 @@ TEST(Plan, EveryDecisionHasAReason) {
 TEST(Plan, AWholeStageHasThePartsThatTheSceneWouldNeed) {
   Params p;
   p.rigidity = p.deformation = 0;
-  const Plan match = whole_stage(Stage::shape_match, p, false);
+  const Plan match = whole_stage(Stage::shape_match, p, {});
   EXPECT_TRUE(match.has(Stage::shape_match));
   EXPECT_TRUE(match.has(Part::rotation));
   EXPECT_FALSE(match.has(Part::quadratic));
@@ -138,7 +140,7 @@ TEST(Plan, TheStepRunsThePlanAndNothingElse) {
 TEST(Plan, JoinedHasWhatEitherHas) {
   Params p;
   p.drive = p.air_conductance = p.contact_conductance = p.thermogenesis = p.deformation = 0;
-  const Plan plan = make_plan(p, false);
+  const Plan plan = make_plan(p, {});
   EXPECT_EQ(joined(plan, {}), plan);
   Plan more;
   more.add(Stage::steering);
@@ -162,7 +164,7 @@ TEST(Plan, PartsOfAStageThatIsOutAreOutToo) {
                           Part::quadratic, Part::mean_temperature}) {
     if (stage_of(part) != Stage::heat) more.add(part);
   }
-  EXPECT_EQ(joined(make_plan(p, true), more), make_plan(p, true));
+  EXPECT_EQ(joined(make_plan(p, kContactRecords), more), make_plan(p, kContactRecords));
 }
 
 TEST(Plan, ObservingCanChangeBetweenAnyTwoSteps) {
@@ -171,7 +173,7 @@ TEST(Plan, ObservingCanChangeBetweenAnyTwoSteps) {
   Simulation watched(p), now_and_then(p);
   for (int step = 0; step < 400; ++step) {
     const bool look = step % 7 == 3 || step % 2 == 0;
-    now_and_then.set_observed(look);
+    now_and_then.set_observed(look ? kContactRecords : PartSet{});
     EXPECT_EQ(now_and_then.plan().has(Part::pairs), look);
     watched.step();
     now_and_then.step();
@@ -182,19 +184,19 @@ TEST(Plan, ObservingCanChangeBetweenAnyTwoSteps) {
     ASSERT_EQ(a.touched, b.touched) << step;
     ASSERT_EQ(a.exposed, b.exposed) << step;
   }
-  EXPECT_FALSE(watched.touching().empty());
+  EXPECT_FALSE(watched.view().touching.empty());
 }
 
 TEST(Plan, WhatNobodyReadsStaysAsItWas) {
   Params p;
   p.ambient_temperature = 0.2;
   Simulation s(p);
-  s.set_observed(false);
+  s.set_observed({});
   s.run(400);
-  EXPECT_TRUE(s.touching().empty()) << "the list of pairs was made though nobody asked";
-  s.set_observed(true);
+  EXPECT_TRUE(s.view().touching.empty()) << "the list of pairs was made though nobody asked";
+  s.set_observed(kContactRecords);
   s.step();
-  EXPECT_FALSE(s.touching().empty());
+  EXPECT_FALSE(s.view().touching.empty());
 }
 
 TEST(Plan, ForcingEndsWithAnEmptyPlanAndOutlivesNewParameters) {
@@ -208,9 +210,9 @@ TEST(Plan, ForcingEndsWithAnEmptyPlanAndOutlivesNewParameters) {
   EXPECT_TRUE(s.plan().has(Stage::steering));
   p.ambient_temperature = 0.1;
   s.set_params(p);
-  s.set_observed(false);
+  s.set_observed({});
   EXPECT_TRUE(Simulation(s).plan().has(Stage::steering));
-  s.set_observed(true);
+  s.set_observed(kContactRecords);
   s.force_plan({});
   EXPECT_EQ(s.plan(), planned);
 }

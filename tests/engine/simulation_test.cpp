@@ -81,9 +81,9 @@ TEST(Simulation, ASnapshotGoesOnBitForBit) {
     a.run(400);
     Simulation b(a.snapshot());
     EXPECT_EQ(b.hash(), a.hash());
-    EXPECT_EQ(std::vector(b.touching().begin(), b.touching().end()),
-              std::vector(a.touching().begin(), a.touching().end()));
-    EXPECT_EQ(b.exposed()[3], a.exposed()[3]);
+    EXPECT_EQ(std::vector(b.view().touching.begin(), b.view().touching.end()),
+              std::vector(a.view().touching.begin(), a.view().touching.end()));
+    EXPECT_EQ(b.view().exposed[3], a.view().exposed[3]);
     a.run(300);
     b.run(300);
     EXPECT_EQ(b.hash(), a.hash());
@@ -122,11 +122,11 @@ TEST(Simulation, ParametersActOnTheNextStep) {
   Params p = testing::weightless();
   Simulation s(p);
   s.run(10);
-  const double before = s.centre(0).z();
+  const double before = s.view().positions.mean(0).z();
   p.gravity = 10;
   s.set_params(p);
   s.step();
-  EXPECT_NEAR(s.centre(0).z(), before - 10 * 0.01 * 0.01, 1e-12);
+  EXPECT_NEAR(s.view().positions.mean(0).z(), before - 10 * 0.01 * 0.01, 1e-12);
 }
 
 TEST(Simulation, LitterParametersCannotChangeInFlight) {
@@ -162,10 +162,10 @@ TEST(Simulation, TimeIsTheSumOfTheSteps) {
 TEST(Simulation, WrongSizesAndPupsAreRefused) {
   Simulation s{Params{}};
   std::vector<double> few(3);
-  EXPECT_THROW(s.copy_positions(few), std::invalid_argument);
+  EXPECT_THROW(s.view().positions.copy_to(few), std::invalid_argument);
   EXPECT_THROW(s.set_cloud(0, few, few), std::invalid_argument);
   EXPECT_THROW(s.set_cloud(12, few, few), std::out_of_range);
-  EXPECT_THROW(s.centre(-1), std::out_of_range);
+  EXPECT_THROW(s.view().positions.mean(-1), std::out_of_range);
   EXPECT_THROW(s.set_heading(99, 0), std::out_of_range);
 }
 
@@ -177,14 +177,14 @@ TEST(Simulation, FloatStaysCloseToDoubleBeforeChaosSetsIn) {
   fine.run(20);
   coarse.run(20);
   for (int pup = 0; pup < p.pups; ++pup) {
-    EXPECT_LT((fine.centre(pup) - coarse.centre(pup)).norm(), 5e-5);
+    EXPECT_LT((fine.view().positions.mean(pup) - coarse.view().positions.mean(pup)).norm(), 5e-5);
   }
 }
 
 TEST(Simulation, PointsTouchWhomThePairsSay) {
   Simulation s{Params{}};
   s.run(400);
-  const auto touched = s.touched_pup();
+  const auto touched = s.view().touched;
   std::set<std::pair<int, int>> pairs;
   for (int pup = 0; pup < s.pups(); ++pup) {
     int contacts = 0;
@@ -195,10 +195,10 @@ TEST(Simulation, PointsTouchWhomThePairsSay) {
       ASSERT_NE(other, pup);
       pairs.insert({std::min(pup, other), std::max(pup, other)});
     }
-    EXPECT_NEAR(s.exposed()[pup], 1 - static_cast<double>(contacts) / s.points(), 1e-12);
+    EXPECT_NEAR(s.view().exposed[pup], 1 - static_cast<double>(contacts) / s.points(), 1e-12);
   }
   std::set<std::pair<int, int>> listed;
-  for (const TouchingPair& pair : s.touching()) listed.insert({pair.first, pair.second});
+  for (const TouchingPair& pair : s.view().touching) listed.insert({pair.first, pair.second});
   for (const auto& pair : pairs) EXPECT_TRUE(listed.contains(pair));
 }
 

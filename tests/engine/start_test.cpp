@@ -45,13 +45,13 @@ TEST(Start, PupsBeginAtRestWholeAndWarm) {
   const Simulation s{Params{}};
   for (int pup = 0; pup < s.pups(); ++pup) {
     for (const auto& p : testing::of_pup(s, pup, testing::all_positions(s))) {
-      ASSERT_NEAR((p - s.centre(pup)).norm(), 0.25, 1e-12);
+      ASSERT_NEAR((p - s.view().positions.mean(pup)).norm(), 0.25, 1e-12);
     }
-    EXPECT_EQ(s.body_temperature()[pup], 0.6);
-    EXPECT_EQ(s.exposed()[pup], 1);
+    EXPECT_EQ(s.view().tb[pup], 0.6);
+    EXPECT_EQ(s.view().exposed[pup], 1);
   }
   for (const auto& v : testing::all_velocities(s)) ASSERT_EQ(v.norm(), 0);
-  const auto heading = s.heading();
+  const auto heading = s.view().heading;
   EXPECT_GT(std::set<double>(heading.begin(), heading.end()).size(), 11u);
 }
 

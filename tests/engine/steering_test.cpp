@@ -210,13 +210,13 @@ TEST_F(SidesFixture, CourseTurnsAtARateAndBodyHeadingJumps) {
   const SideTemperatures t = side_temperatures(params, cloud, state, 0, -kPi / 2);
   const double delta = turn(params, 0.9, t.left, t.right);
   ASSERT_LT(delta, 0);
-  steer(params, true, cloud, state, 0);
+  steer(params, {}, cloud, state, 0);
   EXPECT_NEAR(state.heading[0], -kPi / 2 + params.dt * delta, 1e-15);
 
   params.heading = Heading::body;
   const double axis = body_axis(cloud, state, 0);
   const SideTemperatures about_axis = body_side_temperatures(params, cloud, state, 0);
-  steer(params, true, cloud, state, 0);
+  steer(params, {}, cloud, state, 0);
   EXPECT_NEAR(state.heading[0],
               wrap_angle(axis + turn(params, 0.9, about_axis.left, about_axis.right)), 1e-15);
 }

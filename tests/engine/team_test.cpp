@@ -99,15 +99,15 @@ TEST_P(Threads, OneHashForOneToEightThreads) {
   const Params p = crowd(GetParam());
   Simulation alone(p);
   ASSERT_TRUE(alone.run(150).ok());
-  ASSERT_GT(alone.touching().size(), 100u);
+  ASSERT_GT(alone.view().touching.size(), 100u);
   for (int threads = 2; threads <= 8; ++threads) {
     Simulation shared(p);
     shared.set_threads(threads);
     ASSERT_TRUE(shared.run(150).ok());
     EXPECT_EQ(shared.hash(), alone.hash()) << threads;
-    EXPECT_TRUE(std::ranges::equal(shared.touching(), alone.touching())) << threads;
-    EXPECT_TRUE(std::ranges::equal(shared.touched_pup(), alone.touched_pup())) << threads;
-    EXPECT_TRUE(std::ranges::equal(shared.exposed(), alone.exposed())) << threads;
+    EXPECT_TRUE(std::ranges::equal(shared.view().touching, alone.view().touching)) << threads;
+    EXPECT_TRUE(std::ranges::equal(shared.view().touched, alone.view().touched)) << threads;
+    EXPECT_TRUE(std::ranges::equal(shared.view().exposed, alone.view().exposed)) << threads;
     EXPECT_EQ(shared.rotation_fallbacks(), alone.rotation_fallbacks()) << threads;
   }
 }

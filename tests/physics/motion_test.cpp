@@ -33,9 +33,9 @@ TEST_P(Falling, FollowsTheDiscreteLawOfFreeFall) {
   const double tolerance = p.precision == Precision::float_ ? 2e-4 : 1e-11;
   for (int m = 1; m <= 190; ++m) {
     ASSERT_TRUE(s.step().ok());
-    ASSERT_NEAR(s.centre(0).z(), 20 - 10 * 1e-4 * m * (m + 1) / 2, tolerance) << m;
+    ASSERT_NEAR(s.view().positions.mean(0).z(), 20 - 10 * 1e-4 * m * (m + 1) / 2, tolerance) << m;
   }
-  EXPECT_LT(s.centre(0).z(), 2);
+  EXPECT_LT(s.view().positions.mean(0).z(), 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Settings, Falling,
@@ -49,11 +49,11 @@ TEST(Motion, ADriveAloneAcceleratesAlongTheHeading) {
   p.drive = 1;
   Simulation s(p);
   s.set_heading(0, 0.7);
-  const Eigen::Vector3d start = s.centre(0);
+  const Eigen::Vector3d start = s.view().positions.mean(0);
   s.run(100);
   const double travelled = 1e-4 * 100 * 101 / 2;
-  EXPECT_NEAR(s.centre(0).x() - start.x(), travelled * std::cos(0.7), 1e-12);
-  EXPECT_NEAR(s.centre(0).y() - start.y(), travelled * std::sin(0.7), 1e-12);
+  EXPECT_NEAR(s.view().positions.mean(0).x() - start.x(), travelled * std::cos(0.7), 1e-12);
+  EXPECT_NEAR(s.view().positions.mean(0).y() - start.y(), travelled * std::sin(0.7), 1e-12);
 }
 
 TEST(Motion, RigidPupsKeepAllDistances) {
@@ -115,7 +115,8 @@ TEST(Motion, ExplicitAndPredictiveAgreeOnFreeFlight) {
   lift(explicit_one);
   predictive.run(50);
   explicit_one.run(50);
-  EXPECT_LT((predictive.centre(0) - explicit_one.centre(0)).norm(), 1e-12);
+  EXPECT_LT((predictive.view().positions.mean(0) - explicit_one.view().positions.mean(0)).norm(),
+            1e-12);
 }
 
 TEST(Motion, TheExplicitFormOfThePaperHasNoDamping) {

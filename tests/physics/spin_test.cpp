@@ -38,13 +38,14 @@ Eigen::Vector3d momentum(const Simulation& s) {
 Eigen::Vector3d spin(const Simulation& s) {
   const Points x = testing::all_positions(s), v = testing::all_velocities(s);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < x.size(); ++i) sum += (x[i] - s.centre(0)).cross(v[i]) / s.points();
+  for (std::size_t i = 0; i < x.size(); ++i)
+    sum += (x[i] - s.view().positions.mean(0)).cross(v[i]) / s.points();
   return sum;
 }
 
 /// Direction of the first point, seen from above.
 double azimuth(const Simulation& s) {
-  const Eigen::Vector3d arm = testing::all_positions(s)[0] - s.centre(0);
+  const Eigen::Vector3d arm = testing::all_positions(s)[0] - s.view().positions.mean(0);
   return std::atan2(arm.y(), arm.x());
 }
 

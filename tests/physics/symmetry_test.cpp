@@ -16,7 +16,7 @@ using testing::Points;
 Simulation settled(Params p) {
   Simulation s(p);
   EXPECT_TRUE(s.run(400).ok());
-  EXPECT_GT(s.touching().size(), 5u);
+  EXPECT_GT(s.view().touching.size(), 5u);
   return s;
 }
 
@@ -33,8 +33,8 @@ Simulation rearranged(const Simulation& s, From from, double angle) {
     for (auto& p : positions) p = turn * p;
     for (auto& p : velocities) p = turn * p;
     testing::place(other, pup, positions, velocities);
-    other.set_body_temperature(pup, s.body_temperature()[from(pup)]);
-    other.set_heading(pup, s.heading()[from(pup)] + angle);
+    other.set_body_temperature(pup, s.view().tb[from(pup)]);
+    other.set_heading(pup, s.view().heading[from(pup)] + angle);
   }
   return other;
 }
@@ -63,9 +63,10 @@ TEST(Symmetry, RelabellingPupsChangesOnlyRounding) {
     ASSERT_TRUE(s.run(10).ok());
     ASSERT_TRUE(other.run(10).ok());
     for (int pup = 0; pup < p.pups; ++pup) {
-      EXPECT_LT((other.centre(pup) - s.centre(from(pup))).norm(), 1e-9);
-      EXPECT_NEAR(other.body_temperature()[pup], s.body_temperature()[from(pup)], 1e-9);
-      EXPECT_NEAR(other.exposed()[pup], s.exposed()[from(pup)], 1e-12);
+      EXPECT_LT((other.view().positions.mean(pup) - s.view().positions.mean(from(pup))).norm(),
+                1e-9);
+      EXPECT_NEAR(other.view().tb[pup], s.view().tb[from(pup)], 1e-9);
+      EXPECT_NEAR(other.view().exposed[pup], s.view().exposed[from(pup)], 1e-12);
     }
   }
 }
@@ -74,9 +75,11 @@ void expect_turned(const Simulation& s, const Simulation& other, double angle) {
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   for (int pup = 0; pup < s.pups(); ++pup) {
-    EXPECT_LT((other.centre(pup) - turn * s.centre(pup)).norm(), 1e-9) << pup;
-    EXPECT_NEAR(other.body_temperature()[pup], s.body_temperature()[pup], 1e-9);
-    EXPECT_NEAR(std::remainder(other.heading()[pup] - s.heading()[pup] - angle, 2 * M_PI), 0, 1e-8);
+    EXPECT_LT((other.view().positions.mean(pup) - turn * s.view().positions.mean(pup)).norm(), 1e-9)
+        << pup;
+    EXPECT_NEAR(other.view().tb[pup], s.view().tb[pup], 1e-9);
+    EXPECT_NEAR(std::remainder(other.view().heading[pup] - s.view().heading[pup] - angle, 2 * M_PI),
+                0, 1e-8);
   }
 }
 

@@ -22,9 +22,9 @@ TEST(Thermal, AnIsolatedPupFollowsTheClosedForm) {
     s.step();
     const double expected =
         settled + (p.initial_temperature - settled) * std::exp(-p.air_conductance * p.dt * m);
-    ASSERT_NEAR(s.body_temperature()[0], expected, 1e-13) << m;
+    ASSERT_NEAR(s.view().tb[0], expected, 1e-13) << m;
   }
-  EXPECT_NEAR(s.body_temperature()[0], p.ambient_temperature + 0.0611, 5e-5);
+  EXPECT_NEAR(s.view().tb[0], p.ambient_temperature + 0.0611, 5e-5);
 }
 
 TEST(Thermal, EulerConvergesToItAtFirstOrder) {
@@ -37,7 +37,7 @@ TEST(Thermal, EulerConvergesToItAtFirstOrder) {
     Simulation s(p);
     s.run(std::lround(1 / dt));
     const double settled = p.ambient_temperature + p.thermogenesis / p.air_conductance;
-    return s.body_temperature()[0] -
+    return s.view().tb[0] -
            (settled + (p.initial_temperature - settled) * std::exp(-p.air_conductance));
   };
   EXPECT_NEAR(error(0.01) / error(0.005), 2, 0.02);
@@ -70,12 +70,12 @@ TEST(Thermal, TouchingPupsExchangeEqualAmounts) {
   s.set_body_temperature(0, 0.8);
   s.set_body_temperature(1, 0.4);
   s.step();
-  ASSERT_LT(s.exposed()[0], 1);
-  ASSERT_EQ(s.exposed()[0], s.exposed()[1]);
-  const double lost = 0.8 - s.body_temperature()[0], gained = s.body_temperature()[1] - 0.4;
+  ASSERT_LT(s.view().exposed[0], 1);
+  ASSERT_EQ(s.view().exposed[0], s.view().exposed[1]);
+  const double lost = 0.8 - s.view().tb[0], gained = s.view().tb[1] - 0.4;
   EXPECT_GT(lost, 0);
   EXPECT_NEAR(lost, gained, 1e-15);
-  const double area = 1 - s.exposed()[0];
+  const double area = 1 - s.view().exposed[0];
   EXPECT_NEAR(lost, 0.4 * (1 - std::exp(-p.contact_conductance * area * p.dt)), 1e-15);
 }
 
@@ -85,7 +85,7 @@ TEST(Thermal, AHuddleIsWarmerThanAPupAlone) {
   Simulation s(p);
   s.run(1500);
   double mean = 0;
-  for (const double tb : s.body_temperature()) mean += tb / p.pups;
+  for (const double tb : s.view().tb) mean += tb / p.pups;
   EXPECT_GT(mean, p.ambient_temperature + p.thermogenesis / p.air_conductance + 0.01);
 }
 

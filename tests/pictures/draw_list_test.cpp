@@ -1,4 +1,5 @@
 #include "app/view/draw_list.h"
+#include "pupflow/simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ TEST(DrawList, HoldsEveryPointInItsPupsColor) {
   list.update(simulation, kScale, Camera::parse("top"), Culling::none);
 
   std::vector<float> positions(2 * 294 * 3);
-  simulation.copy_positions(positions);
+  simulation.view().positions.copy_to(positions);
   ASSERT_EQ(list.spheres().size(), 2u * 294u);
   for (std::size_t i = 0; i < list.spheres().size(); ++i) {
     const Sphere& sphere = list.spheres()[i];
@@ -38,7 +39,7 @@ TEST(DrawList, LeavesOutOnlyPointsThatFaceAway) {
   Params params;
   params.pups = 1;
   const Simulation simulation(params);
-  const Eigen::Vector3d centre = simulation.centre(0);
+  const Eigen::Vector3d centre = simulation.view().positions.mean(0);
   const Camera top = Camera::parse("top");
   DrawList all, visible;
   all.update(simulation, kScale, top, Culling::none);

@@ -85,7 +85,7 @@ double mean_tb_after_run(Params params, double ta) {
   params.ambient_temperature = ta;
   Simulation simulation(params);
   EXPECT_TRUE(simulation.run(params.steps).ok());
-  const auto tb = simulation.body_temperature();
+  const auto tb = simulation.view().tb;
   return std::accumulate(tb.begin(), tb.end(), 0.0) / static_cast<double>(tb.size());
 }
 

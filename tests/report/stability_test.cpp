@@ -28,7 +28,7 @@ Shape shape_after(const Eigen::Matrix3d& map) {
   Params params = pupflow::testing::weightless();
   Simulation simulation(params);
   auto points = pupflow::testing::all_positions(simulation);
-  const Eigen::Vector3d centre = simulation.centre(0), moved(1, 2, 30);
+  const Eigen::Vector3d centre = simulation.view().positions.mean(0), moved(1, 2, 30);
   for (Eigen::Vector3d& point : points) point = moved + map * (point - centre);
   pupflow::testing::place(simulation, 0, points, points);
   return shapes_of(simulation).front();

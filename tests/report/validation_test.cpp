@@ -85,7 +85,7 @@ TEST(Flow, LagOneIsTheObservablesAndAHundredComparesWithAHundredStepsAgo) {
   Simulation simulation(p);
   std::vector<std::vector<double>> exposed;
   while (simulation.steps_done() <= p.steps) {
-    exposed.emplace_back(simulation.exposed().begin(), simulation.exposed().end());
+    exposed.emplace_back(simulation.view().exposed.begin(), simulation.view().exposed.end());
     simulation.step();
   }
   double sum = 0;
@@ -121,7 +121,7 @@ TEST(Symmetries, AMirroredBodyIsTheSameBody) {
   p.pups = 2;
   const Simulation start(p), image = mirrored(start);
   const Expected expected = [](const Simulation& a, int pup) {
-    const Eigen::Vector3d c = a.centre(pup);
+    const Eigen::Vector3d c = a.view().positions.mean(pup);
     return Eigen::Vector3d(c.x(), -c.y(), c.z());
   };
   EXPECT_EQ(steps_until_apart(start, image, expected, 60), 61);
@@ -133,7 +133,7 @@ TEST(Symmetries, OtherNumbersMatterOnTheFloorAndNotAboveIt) {
   Simulation down(cold_litter());
   ASSERT_TRUE(down.run(400).ok());
   const Expected renumbered = [](const Simulation& a, int pup) {
-    return a.centre(pup_before(pup, a.pups()));
+    return a.view().positions.mean(pup_before(pup, a.pups()));
   };
   EXPECT_LE(steps_until_apart(down, relabelled(down), renumbered, 50), 50);
   const Simulation up = lifted(down);

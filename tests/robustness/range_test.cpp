@@ -19,7 +19,7 @@ bool all_finite(const Simulation& s) {
     if (!v.allFinite()) return false;
   }
   for (int pup = 0; pup < s.pups(); ++pup) {
-    if (!std::isfinite(s.body_temperature()[pup]) || !std::isfinite(s.heading()[pup])) return false;
+    if (!std::isfinite(s.view().tb[pup]) || !std::isfinite(s.view().heading[pup])) return false;
   }
   return true;
 }

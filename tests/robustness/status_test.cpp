@@ -92,7 +92,8 @@ TEST(Status, NearBetaOneBodiesDoNotFeedOnTheirSize) {
       EXPECT_TRUE(s.run(1500).ok()) << alpha << ' ' << beta << ' ' << s.status().message();
       for (int pup = 0; pup < s.pups(); ++pup) {
         for (const auto& point : testing::of_pup(s, pup, testing::all_positions(s)))
-          EXPECT_LT((point - s.centre(pup)).norm(), 20 * p.pup_radius);  // the arena's diameter: 16
+          EXPECT_LT((point - s.view().positions.mean(pup)).norm(),
+                    20 * p.pup_radius);  // the arena's diameter: 16
       }
     }
   }
@@ -113,7 +114,7 @@ TEST(Status, ADriveThatOutrunsTheWallIsReported) {
     const Status status = lost.run(20000);
     EXPECT_EQ(status.kind, Status::Kind::escaped);
     EXPECT_EQ(status.pup, 0);
-    const Eigen::Vector3d centre = lost.centre(0);
+    const Eigen::Vector3d centre = lost.view().positions.mean(0);
     const double beyond = std::hypot(centre.x(), centre.y()) - p.arena_radius;
     EXPECT_NEAR(beyond, 100 * p.pup_radius, 2 * p.pup_radius);
     EXPECT_THAT(status.message(), ::testing::StartsWith("escaped from the arena at step "));
@@ -180,7 +181,7 @@ TEST(Status, FlatAndCollapsedCloudsRecoverAndAreCounted) {
   EXPECT_TRUE(s.run(100).ok());
   EXPECT_GT(s.rotation_fallbacks(), 0);
   for (const auto& point : testing::all_positions(s))
-    EXPECT_NEAR((point - s.centre(0)).norm(), 0.25, 1e-6);
+    EXPECT_NEAR((point - s.view().positions.mean(0)).norm(), 0.25, 1e-6);
 }
 
 TEST(Status, OrdinaryRunsNeedNoFallback) {

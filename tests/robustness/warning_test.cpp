@@ -75,7 +75,7 @@ TEST(Warnings, AStepTooLongForGravityHoldsPupsUnderTheFloor) {
       int under = 0;
       for (int step = 1; step <= 300; ++step) {
         again.step();
-        under += again.centre(warning.pup).z() < 0 ? 1 : 0;
+        under += again.view().positions.mean(warning.pup).z() < 0 ? 1 : 0;
       }
       EXPECT_GT(under, 50);
     }
@@ -92,11 +92,11 @@ TEST(Warnings, ADriveThatPressesPupsThroughTheWallLeavesThemOutsideAndHanging) {
     const Warning outside = first(s, Kind::outside), hanging = first(s, Kind::hanging);
     ASSERT_GT(outside.step, 0);
     ASSERT_GT(hanging.step, 0);
-    EXPECT_GT(s.centre(outside.pup).head<2>().norm(), p.arena_radius);
-    const double height = s.centre(hanging.pup).z();
+    EXPECT_GT(s.view().positions.mean(outside.pup).head<2>().norm(), p.arena_radius);
+    const double height = s.view().positions.mean(hanging.pup).z();
     EXPECT_GT(height, 3 * p.pup_radius);
     s.run(100);
-    EXPECT_LT(height - s.centre(hanging.pup).z(), 0.5);  // 5 in free fall from rest
+    EXPECT_LT(height - s.view().positions.mean(hanging.pup).z(), 0.5);  // 5 in free fall from rest
   }
 }
 
@@ -112,7 +112,7 @@ TEST(Warnings, PupsThatClimbWithoutInputGainEnergy) {
   EXPECT_TRUE(s.run(800).ok());
   const Warning warning = first(s, Kind::gaining_energy);
   EXPECT_GT(warning.step, 0);
-  EXPECT_GT(s.centre(warning.pup).z(), 100);  // the highest began at 14
+  EXPECT_GT(s.view().positions.mean(warning.pup).z(), 100);  // the highest began at 14
 }
 
 TEST(Warnings, TheUndampedFormGainsEnergyBeforeItDiverges) {
@@ -199,7 +199,7 @@ TEST(Warnings, HardLandingsAreNoSinking) {
       shift(s, 0, {0, 0, height}, Eigen::Vector3d::Zero());
       for (int step = 0; step < 4000; ++step) {
         EXPECT_TRUE(s.step().ok());
-        under += s.centre(0).z() < 0 ? 1 : 0;
+        under += s.view().positions.mean(0).z() < 0 ? 1 : 0;
       }
       EXPECT_EQ(first(s, Kind::sunk).step, 0) << alpha << ' ' << height;
       EXPECT_EQ(first(s, Kind::hanging).step, 0) << alpha << ' ' << height;
@@ -218,7 +218,7 @@ TEST(Warnings, AFallTooFastForTheStepGainsEnergy) {
   double highest = 0;
   for (int step = 0; step < 2500; ++step) {
     s.step();
-    highest = std::max(highest, s.centre(0).z());
+    highest = std::max(highest, s.view().positions.mean(0).z());
   }
   EXPECT_GT(highest, 1.5 * 84.3);
   EXPECT_GT(first(s, Kind::gaining_energy).step, 411);  // the first landing
@@ -240,7 +240,7 @@ TEST(Warnings, AreTheSameWhetherOrNotTheLitterIsObserved) {
     p.face_points = 3;
     p.point_radius = point_radius;
     Simulation seen(p), unseen(p);
-    unseen.set_observed(false);
+    unseen.set_observed({});
     seen.run(600);
     unseen.run(600);
     EXPECT_EQ(text_of(seen), "") << point_radius;

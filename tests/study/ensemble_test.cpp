@@ -54,7 +54,7 @@ void expect_means_of_a_watched_run(const Params& params) {
   const auto result = run_to_end(params, kNever);
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->status.ok());
-  for (const ObservableName& row : observable_names())
+  for (const ObservableField& row : observables())
     EXPECT_EQ(result->means.*row.value, means.means().*row.value) << row.name;
   EXPECT_EQ(result->exposed_sd, means.exposed_sd());
 }
@@ -87,13 +87,13 @@ TEST(Ensemble, LookingFromTheMiddleOnChangesNoBit) {
     params.drive = drive;
     if (drive == 0) params.air_conductance = params.contact_conductance = params.thermogenesis = 0;
     Simulation always(params), late(params);
-    late.set_observed(false);
+    late.set_observed({});
     always.run(40);
     late.run(30);
-    late.set_observed(true);
+    late.set_observed(kContactRecords);
     late.run(10);
     EXPECT_EQ(late.hash(), always.hash());
-    EXPECT_EQ(late.exposed()[0], always.exposed()[0]);
+    EXPECT_EQ(late.view().exposed[0], always.view().exposed[0]);
   }
 }
 

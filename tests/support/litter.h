@@ -25,13 +25,13 @@ inline std::vector<double> to_numbers(const Points& points) {
 
 inline Points all_positions(const Simulation& s) {
   std::vector<double> xyz(3 * static_cast<std::size_t>(s.pups()) * s.points());
-  s.copy_positions(xyz);
+  s.view().positions.copy_to(xyz);
   return to_points(xyz);
 }
 
 inline Points all_velocities(const Simulation& s) {
   std::vector<double> xyz(3 * static_cast<std::size_t>(s.pups()) * s.points());
-  s.copy_velocities(xyz);
+  s.view().velocities.copy_to(xyz);
   return to_points(xyz);
 }
 

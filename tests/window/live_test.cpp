@@ -35,7 +35,7 @@ struct Box {
 /// What `hash` lines say, from a simulation without any window.
 std::string headless_hash(const Params& params, std::int64_t steps) {
   Simulation simulation(params);
-  simulation.set_observed(false);
+  simulation.set_observed({});
   simulation.run(steps);
   std::ostringstream text;
   text << std::hex << simulation.hash();

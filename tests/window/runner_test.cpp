@@ -33,7 +33,7 @@ class Watched {
   Runner* operator->() { return &runner_; }
 
   /// The next snapshot; fails the test when none comes.
-  const Snapshot& next() {
+  const LiveState& next() {
     runner_.request();
     EXPECT_TRUE(published_.try_acquire_for(60s)) << "no snapshot came";
     EXPECT_TRUE(runner_.take());
@@ -41,7 +41,7 @@ class Watched {
   }
 
   /// The first snapshot for which `wanted` holds, of many.
-  const Snapshot& await(const std::function<bool(const Snapshot&)>& wanted) {
+  const LiveState& await(const std::function<bool(const LiveState&)>& wanted) {
     const auto give_up = std::chrono::steady_clock::now() + 60s;
     while (!wanted(next())) {
       if (std::chrono::steady_clock::now() > give_up) {
@@ -61,19 +61,20 @@ class Watched {
 
 TEST(Runner, ShowsTheStartWithoutAStep) {
   Watched runner(false);
-  const Snapshot& snapshot = runner.next();
-  EXPECT_EQ(snapshot.step, 0);
+  const LiveState& snapshot = runner.next();
+  EXPECT_EQ(snapshot.view().step, 0);
   EXPECT_FALSE(snapshot.playing);
   EXPECT_EQ(snapshot.hash, Simulation(small_litter()).hash());
 }
 
 TEST(Runner, StepsByItselfWhilePlaying) {
   Watched runner(true);
-  const std::int64_t first = runner.next().step;
-  const Snapshot& later = runner.await([&](const Snapshot& s) { return s.step >= first + 5; });
+  const std::int64_t first = runner.next().view().step;
+  const LiveState& later =
+      runner.await([&](const LiveState& s) { return s.view().step >= first + 5; });
   EXPECT_TRUE(later.playing);
   Simulation simulation(small_litter());
-  simulation.run(later.step);
+  simulation.run(later.view().step);
   EXPECT_EQ(later.hash, simulation.hash());
 }
 
@@ -82,26 +83,26 @@ TEST(Runner, PausedAndUnchangedItPublishesNothing) {
   runner.next();
   runner->request();  // stays open until something changes
   runner->send(Advance{1});
-  EXPECT_EQ(runner.next().step, 1);
+  EXPECT_EQ(runner.next().view().step, 1);
   EXPECT_TRUE(runner.nothing_published());
 }
 
 TEST(Runner, PauseHoldsTheLitterStill) {
   Watched runner(true);
   runner->send(Speed{std::numeric_limits<double>::infinity()});
-  runner.await([](const Snapshot& s) { return s.step > 10; });
+  runner.await([](const LiveState& s) { return s.view().step > 10; });
   runner->send(PlayPause{});
-  const Snapshot& paused = runner.await([](const Snapshot& s) { return !s.playing; });
-  const std::int64_t step = paused.step;
+  const LiveState& paused = runner.await([](const LiveState& s) { return !s.playing; });
+  const std::int64_t step = paused.view().step;
   EXPECT_EQ(paused.steps_per_second, 0);
   runner->send(Advance{1});
-  EXPECT_EQ(runner.next().step, step + 1);
+  EXPECT_EQ(runner.next().view().step, step + 1);
 }
 
 TEST(Runner, ManyStepsAreThoseOfASimulation) {
   Watched runner(false);
   runner->send(Advance{250});
-  const Snapshot& snapshot = runner.await([](const Snapshot& s) { return s.step == 250; });
+  const LiveState& snapshot = runner.await([](const LiveState& s) { return s.view().step == 250; });
   Simulation simulation(small_litter());
   simulation.run(250);
   EXPECT_EQ(snapshot.hash, simulation.hash());
@@ -116,8 +117,8 @@ TEST(Runner, OfEditsInARowTheLastOneCounts) {
     runner->send(Edit{edited});
   }
   runner->send(Advance{1});
-  const Snapshot& snapshot = runner.await([](const Snapshot& s) { return s.step == 1; });
-  EXPECT_EQ(snapshot.params.ambient_temperature, 0.3);
+  const LiveState& snapshot = runner.await([](const LiveState& s) { return s.view().step == 1; });
+  EXPECT_EQ(snapshot.view().params.ambient_temperature, 0.3);
   Simulation simulation(edited);
   simulation.run(1);
   EXPECT_EQ(snapshot.hash, simulation.hash());
@@ -125,12 +126,12 @@ TEST(Runner, OfEditsInARowTheLastOneCounts) {
 
 TEST(Runner, AnEditInTheMiddleOfARunIsTaken) {
   Watched runner(true);
-  runner.await([](const Snapshot& s) { return s.step > 2; });
+  runner.await([](const LiveState& s) { return s.view().step > 2; });
   Params edited = small_litter();
   edited.ambient_temperature = 0.9;
   runner->send(Edit{edited});
-  const Snapshot& snapshot = runner.await([](const Snapshot& s) {
-    return s.params.ambient_temperature == 0.9 && s.step > s.edited_at;
+  const LiveState& snapshot = runner.await([](const LiveState& s) {
+    return s.view().params.ambient_temperature == 0.9 && s.view().step > s.edited_at;
   });
   EXPECT_GT(snapshot.edited_at, 2);
   EXPECT_TRUE(snapshot.playing);
@@ -143,11 +144,11 @@ TEST(Runner, ABadStatusIsPublishedAndPauses) {
   params.air_conductance = 500;
   Watched runner(true, params);
   runner->send(Speed{std::numeric_limits<double>::infinity()});
-  const Snapshot& snapshot = runner.await([](const Snapshot& s) { return !s.status.ok(); });
+  const LiveState& snapshot = runner.await([](const LiveState& s) { return !s.status.ok(); });
   EXPECT_FALSE(snapshot.playing);
   EXPECT_EQ(snapshot.status.kind, Status::Kind::diverged);
   runner->send(Restart{});
-  EXPECT_TRUE(runner.await([](const Snapshot& s) { return s.step == 0; }).status.ok());
+  EXPECT_TRUE(runner.await([](const LiveState& s) { return s.view().step == 0; }).status.ok());
 }
 
 TEST(Runner, EndsWhileItRuns) {

@@ -22,8 +22,8 @@ Params runaway() {
   return params;
 }
 
-Snapshot look_at(Session& session) {
-  Snapshot snapshot;
+LiveState look_at(Session& session) {
+  LiveState snapshot;
   session.fill(snapshot, true);
   return snapshot;
 }
@@ -45,10 +45,10 @@ TEST(Session, AnEditActsOnTheNextStep) {
   for (int i = 0; i < 5; ++i) session.step();
   session.apply(Edit{edited});
   session.step();
-  const Snapshot snapshot = look_at(session);
+  const LiveState snapshot = look_at(session);
   EXPECT_EQ(snapshot.hash, expected.hash());
-  EXPECT_EQ(snapshot.params, edited);
-  EXPECT_EQ(snapshot.step, 6);
+  EXPECT_EQ(snapshot.view().params, edited);
+  EXPECT_EQ(snapshot.view().step, 6);
   EXPECT_EQ(snapshot.edited_at, 5);
 }
 
@@ -58,11 +58,11 @@ TEST(Session, AnEditOfTheLitterRestartsIt) {
   Params edited = small_litter();
   edited.pups = 4;
   session.apply(Edit{edited});
-  const Snapshot snapshot = look_at(session);
-  EXPECT_EQ(snapshot.step, 0);
-  EXPECT_EQ(snapshot.pups, 4);
+  const LiveState snapshot = look_at(session);
+  EXPECT_EQ(snapshot.view().step, 0);
+  EXPECT_EQ(snapshot.view().pups, 4);
   EXPECT_EQ(snapshot.edited_at, 0);
-  EXPECT_EQ(snapshot.positions.size(), std::size_t{3} * 4 * 54);
+  EXPECT_EQ(snapshot.view().positions.points(), 54);
   EXPECT_EQ(snapshot.hash, Simulation(edited).hash());
   EXPECT_TRUE(session.running());
 }
@@ -72,7 +72,7 @@ TEST(Session, ShowsWarningsUntilTheLitterIsANewOne) {
   params.drive = 60;
   Session session(params, true);
   for (int i = 0; i < 200; ++i) session.step();
-  Snapshot snapshot = look_at(session);
+  LiveState snapshot = look_at(session);
   EXPECT_TRUE(snapshot.status.ok());
   ASSERT_FALSE(snapshot.warnings.empty());
   EXPECT_EQ(snapshot.warnings[0].kind, Warning::Kind::outside);
@@ -87,10 +87,10 @@ TEST(Session, AnUnsoundEditIsNotTaken) {
   edited.rigidity = 2;
   session.apply(Edit{edited});
   session.step();
-  const Snapshot snapshot = look_at(session);
+  const LiveState snapshot = look_at(session);
   EXPECT_THAT(snapshot.rejected, testing::HasSubstr("alpha"));
-  EXPECT_EQ(snapshot.params, small_litter());
-  EXPECT_EQ(snapshot.step, 1);
+  EXPECT_EQ(snapshot.view().params, small_litter());
+  EXPECT_EQ(snapshot.view().step, 1);
   session.apply(Edit{small_litter()});
   EXPECT_EQ(look_at(session).rejected, "");
 }
@@ -99,7 +99,7 @@ TEST(Session, ABadStatusPausesUntilARestart) {
   Session session(runaway(), true);
   step_until_bad(session);
   ASSERT_FALSE(session.running());
-  Snapshot snapshot = look_at(session);
+  LiveState snapshot = look_at(session);
   EXPECT_FALSE(snapshot.status.ok());
   EXPECT_GE(snapshot.status.pup, 0);
   EXPECT_FALSE(snapshot.playing);
@@ -113,14 +113,14 @@ TEST(Session, ABadStatusPausesUntilARestart) {
   session.apply(Restart{});
   snapshot = look_at(session);
   EXPECT_TRUE(snapshot.status.ok());
-  EXPECT_EQ(snapshot.step, 0);
+  EXPECT_EQ(snapshot.view().step, 0);
   session.apply(PlayPause{});
   EXPECT_TRUE(session.running());
 }
 
 TEST(Session, RestartIsTheSameLitterAgain) {
   Session session(small_litter(), false);
-  const Snapshot start = look_at(session);
+  const LiveState start = look_at(session);
   for (int i = 0; i < 7; ++i) session.step();
   EXPECT_NE(look_at(session).hash, start.hash);
   session.apply(Restart{});
@@ -134,7 +134,7 @@ TEST(Session, AdvancePausesAndMakesThatManySteps) {
   int steps = 0;
   for (; session.hurried(); ++steps) session.step();
   EXPECT_EQ(steps, 3);
-  EXPECT_EQ(look_at(session).step, 3);
+  EXPECT_EQ(look_at(session).view().step, 3);
 }
 
 TEST(Session, SuspendedItWantsNothingAndThenGoesOn) {

@@ -4,37 +4,12 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
-#include "pupflow/simulation.h"
+#include "pupflow/fields.h"
+#include "pupflow/view.h"
 
 namespace pupflow {
-
-/// The litter's observables after one step; NaN where one was not asked for.
-struct Observables {
-  double mean_tb = 0;   // mean body temperature
-  double huddling = 0;  // 1 - A, mean over pups
-  double groups = 0;    // connected components of the contact graph
-  double largest = 0;   // pups in the largest of them
-  // Pup flow: mean over pups of |A(t) - A(t - L h)| / (L h), per second, where L is the parameter
-  // flow_lag. NaN before L steps have been seen.
-  double flow = 0;
-  double membership_flow = 0;  // pups whose set of group-mates changed in the step, per pup and s
-};
-
-enum class Observable { mean_tb, huddling, groups, largest, flow, membership_flow };
-constexpr std::size_t kObservableCount = 6;
-
-/// One row of the table of observables.
-struct ObservableName {
-  Observable observable;
-  std::string_view name;  // of its column in every file
-  double Observables::*value;
-};
-
-/// All observables, in the order of the enum and of the files' columns.
-std::span<const ObservableName, kObservableCount> observable_names();
 
 /// Some of the observables.
 class ObservableSet {
@@ -43,6 +18,9 @@ class ObservableSet {
   ObservableSet& add(Observable observable);
   bool has(Observable observable) const { return (bits_ & bit(observable)) != 0; }
 
+  /// What steps must record for them (Simulation::set_observed).
+  PartSet parts() const;
+
  private:
   static std::uint32_t bit(Observable observable) {
     return std::uint32_t{1} << static_cast<int>(observable);
@@ -50,30 +28,25 @@ class ObservableSet {
   std::uint32_t bits_ = 0;
 };
 
-/// Group of each pup: labels 0, 1, ... in the order of their lowest pup.
-std::vector<int> group_labels(int pups, std::span<const TouchingPair> touching);
-
 /// Watches one simulation step by step and computes what is wanted, nothing else. Keeps the
 /// exposure of as many steps as the flow's lag, and the contacts of the step before.
 class Observer {
  public:
-  /// Flow and membership flow compare with the state as it is now, or a later one. The simulation
-  /// must have been observed (Simulation::set_observed) in its last step and from here on. The lag
-  /// is params().flow_lag, read once.
-  explicit Observer(const Simulation& simulation, ObservableSet wanted = ObservableSet::all());
+  /// Flow and membership flow compare with the state as it is now, or a later one. The last step
+  /// must have recorded `wanted.parts()` (Simulation::set_observed), and so must all from here on.
+  /// The lag is params.flow_lag, read once.
+  explicit Observer(const LitterView& litter, ObservableSet wanted = ObservableSet::all());
 
   /// The observables of the step just taken. Call this or `pass` once after every step.
-  const Observables& observe(const Simulation& simulation);
+  const Observables& observe(const LitterView& litter);
 
   /// Nobody looks at the step just taken, but a later step may be compared with it.
-  void pass(const Simulation& simulation);
+  void pass(const LitterView& litter);
 
   const Observables& last() const { return last_; }
 
  private:
-  void remember(const Simulation& simulation);
-  double flow(const Simulation& simulation) const;
-  void look_at_groups(const Simulation& simulation);
+  void remember(const LitterView& litter);
 
   ObservableSet wanted_;
   std::size_t lag_;
@@ -89,8 +62,8 @@ class RunMeans {
  public:
   explicit RunMeans(std::int64_t discard) : discard_(discard) {}
 
-  /// Adds the observables after the step just taken, unless it is among the first `discard`.
-  void add(const Simulation& simulation, const Observables& observables);
+  /// Adds what was seen after the step just taken, unless it is among the first `discard`.
+  void add(const LitterView& litter, const Observables& seen);
 
   std::int64_t count() const { return count_; }
 

@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "pupflow/geometry.h"
-#include "pupflow/simulation.h"
+#include "pupflow/view.h"
 
 namespace pupflow {
 
@@ -35,7 +35,7 @@ class OverlapMeter {
   /// The litter as it stands. Whether a point touches somebody is what the last step found, so the
   /// simulation must be observed (Simulation::set_observed). Positions must be finite. For twelve
   /// pups in a huddle it takes as long as some ten steps.
-  Overlap measure(const Simulation& simulation);
+  Overlap measure(const LitterView& litter);
 
  private:
   class Memory;
@@ -43,7 +43,7 @@ class OverlapMeter {
 };
 
 /// The same for a single look.
-Overlap measure_overlap(const Simulation& simulation);
+Overlap measure_overlap(const LitterView& litter);
 
 /// Means over the looks of a run: of `inside_exposed` weighted by `inside`, so over points.
 class OverlapMeans {

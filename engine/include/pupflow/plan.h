@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,15 +16,51 @@ namespace pupflow {
 
 /// Parts of stages that not every scene needs, in the order of their stages.
 enum class Part {
-  exposure,          // contacts: which points touch, and the share A of those that do not
-  owners,            // contacts: whose point each of them touches
-  pairs,             // contacts: the list of pairs of pups, and the points that touch nobody
+  exposure,          // contact: which points touch, and the share A of those that do not
+  owners,            // contact: whose point each of them touches
+  pairs,             // contact: the list of pairs of pups, and the points that touch nobody
   turn,              // steering: what both sides feel, and the turn; not only the direction
+  direction,         // steering: the direction of travel is set
+  sides,             // steering: which side each point is on, what both sides feel, and the turn,
+                     // recorded for an observer
   mean_temperature,  // heat: the mean of the touched temperatures
   rotation,          // shape matching: the nearest rotation
-  quadratic          // shape matching: quadratic terms
+  quadratic,         // shape matching: quadratic terms
+  strain  // shape matching: each point's distance from its goal, recorded for an observer
 };
-constexpr int kPartCount = 7;
+constexpr int kPartCount = 10;
+
+/// A set of parts.
+class PartSet {
+ public:
+  constexpr PartSet() = default;
+  constexpr PartSet(std::initializer_list<Part> parts) {
+    for (const Part part : parts) add(part);
+  }
+  static constexpr PartSet all() {
+    PartSet set;
+    set.bits_ = (std::uint32_t{1} << kPartCount) - 1;
+    return set;
+  }
+  constexpr bool empty() const { return bits_ == 0; }
+  constexpr bool has(Part part) const { return (bits_ & bit(part)) != 0; }
+  constexpr bool includes(PartSet other) const { return (bits_ & other.bits_) == other.bits_; }
+  constexpr void add(Part part) { bits_ |= bit(part); }
+  friend constexpr PartSet operator|(PartSet a, PartSet b) {
+    a.bits_ |= b.bits_;
+    return a;
+  }
+  friend constexpr bool operator==(PartSet, PartSet) = default;
+
+ private:
+  static constexpr std::uint32_t bit(Part part) {
+    return std::uint32_t{1} << static_cast<int>(part);
+  }
+  std::uint32_t bits_ = 0;
+};
+
+/// All that the contact stage can record.
+inline constexpr PartSet kContactRecords{Part::exposure, Part::owners, Part::pairs};
 
 /// The stage that a part belongs to, and what the part is called.
 Stage stage_of(Part part);
@@ -31,21 +69,22 @@ std::string_view part_name(Part part);
 /// The stages of one step for one parameter set, and the parts of those stages.
 struct Plan {
   std::array<bool, kStageCount> stages{};
-  std::array<bool, kPartCount> parts{};
+  PartSet parts;
 
   bool has(Stage stage) const { return stages[static_cast<std::size_t>(stage)]; }
-  bool has(Part part) const { return parts[static_cast<std::size_t>(part)]; }
+  bool has(Part part) const { return parts.has(part); }
   void add(Stage stage) { stages[static_cast<std::size_t>(stage)] = true; }
-  void add(Part part) { parts[static_cast<std::size_t>(part)] = true; }
+  void add(Part part) { parts.add(part); }
   friend bool operator==(const Plan&, const Plan&) = default;
 };
 
-/// The plan for `params` (which must be sound). `observed`: whether anybody looks at exposure,
-/// touched pups, touching pairs or what is made from them.
-Plan make_plan(const Params& params, bool observed);
+/// The plan for `params`, which must be sound. `observed`: the parts whose results are looked at
+/// after the step (kContactRecords, Part::sides, Part::strain; fields.h says what each field
+/// needs). They change no bit of the litter.
+Plan make_plan(const Params& params, PartSet observed);
 
-/// What either plan has, and what that reads: a turn and a mean temperature read whom each point
-/// touches. Parts of stages that neither has are left out.
+/// What either plan has, and what that reads: turns, sides and mean temperatures read whom each
+/// point touches. Parts of stages that neither has are left out.
 Plan joined(const Plan& plan, const Plan& more);
 
 /// Whether a stage, or a part of one, is in the step, and the reason in one sentence.
@@ -58,9 +97,9 @@ struct Decision {
 
 /// The same decisions with their reasons, for people: all stages in order, each that is in with its
 /// parts behind it.
-std::vector<Decision> explain_plan(const Params& params, bool observed);
+std::vector<Decision> explain_plan(const Params& params, PartSet observed);
 
 /// `stage` with those of its parts that the scene would need if it needed the stage.
-Plan whole_stage(Stage stage, const Params& params, bool observed);
+Plan whole_stage(Stage stage, const Params& params, PartSet observed);
 
 }  // namespace pupflow

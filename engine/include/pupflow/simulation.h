@@ -1,7 +1,6 @@
 // The face of the library: parameters in, step, look.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -50,12 +49,13 @@ class Simulation {
   /// std::logic_error when `needs_restart(this->params(), params)`: those define the litter.
   void set_params(const Params& params);
 
-  /// Whether somebody will look at exposure, touched pups, touching pairs or groups; true at first.
-  /// Steps taken while this is false record of them only what heat and steering read; the others
-  /// stay as the last observed step left them. May change between any two steps: it changes no bit
-  /// of the litter. Pup flow compares with the step flow_lag before, membership flow with the step
-  /// before: these must be observed, too.
-  void set_observed(bool observed);
+  /// What is looked at after the steps to come: parts of the step whose results only an observer
+  /// reads (fields.h says what each field needs). kContactRecords at first. A step records of the
+  /// contacts what heat and steering read, and what is observed; the rest stays as it was. May
+  /// change between any two steps: it changes no bit of the litter. Pup flow compares with the step
+  /// flow_lag before, membership flow with the step before: these must be observed, too. Before the
+  /// first step the sides and the strain of the litter at rest are recorded at once.
+  void set_observed(PartSet parts);
 
   /// Runs the stages and parts of `more` too, from the next step on, though the scene needs none of
   /// them; an empty plan ends that. For measuring what leaving out saves: positions, velocities and
@@ -90,36 +90,31 @@ class Simulation {
   int pups() const;
   int points() const;  // per pup
 
-  /// Positions of all points as x0 y0 z0 x1 ..., pup by pup. `xyz.size()` must be
-  /// 3 * pups() * points(), else std::invalid_argument.
-  void copy_positions(std::span<float> xyz) const;
-  void copy_positions(std::span<double> xyz) const;
-  void copy_velocities(std::span<double> xyz) const;
+  /// The litter as it is now. Valid until the simulation is stepped, edited, moved or destroyed.
+  LitterView view() const;
+  operator LitterView() const { return view(); }  // NOLINT(google-explicit-constructor)
+
+  // TEMPORARY, until all callers use view().
+  void copy_positions(std::span<float> xyz) const { view().positions.copy_to(xyz); }
+  void copy_positions(std::span<double> xyz) const { view().positions.copy_to(xyz); }
+  void copy_velocities(std::span<double> xyz) const { view().velocities.copy_to(xyz); }
+  Eigen::Vector3d centre(int pup) const { return view().positions.mean(pup); }
+  std::span<const double> body_temperature() const { return view().tb; }
+  std::span<const double> heading() const { return view().heading; }
+  std::span<const double> exposed() const { return view().exposed; }
+  std::span<const int> touched_pup() const { return view().touched; }
+  std::span<const TouchingPair> touching() const { return view().touching; }
+  void set_observed(bool on) { set_observed(on ? kContactRecords : PartSet{}); }
 
   /// Replaces the cloud of one pup, e.g. to set up an experiment: 3 * points() numbers each. Throws
   /// std::out_of_range for a pup that is not there, std::invalid_argument for a wrong size. Numbers
   /// that are not finite (in the litter's precision) are reported by the next step, by point.
   void set_cloud(int pup, std::span<const double> positions, std::span<const double> velocities);
 
-  /// Mean of a pup's points.
-  Eigen::Vector3d centre(int pup) const;
-
-  /// One value per pup. `exposed` is the share A of its points that touched nobody in the last
-  /// step (1 at t = 0), `heading` the direction of travel theta in (-pi, pi].
-  std::span<const double> body_temperature() const;
-  std::span<const double> heading() const;
-  std::span<const double> exposed() const;
   /// Both throw std::out_of_range for a pup that is not there. A temperature that is not finite is
   /// reported by the next heat stage; a heading that is not throws std::invalid_argument.
   void set_body_temperature(int pup, double value);
   void set_heading(int pup, double radians);
-
-  /// Whom each point touched in the last step, nearest first choice: points() entries per pup,
-  /// pup by pup; -1 for nobody.
-  std::span<const int> touched_pup() const;
-
-  /// Pups that touched in the last step, sorted.
-  std::span<const TouchingPair> touching() const;
 
   /// The whole state as plain numbers.
   Snapshot snapshot() const;

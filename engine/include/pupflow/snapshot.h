@@ -19,17 +19,21 @@ struct Clock {
   }
 };
 
-/// Everything that the future depends on, and what the last step found. Positions and velocities
-/// are x0 y0 z0 x1 ..., pup by pup; float litters widen to double exactly. A simulation made from a
-/// snapshot goes on bit for bit like the one it was taken from.
+/// Everything that the future depends on, and the contacts that the last step found. Positions and
+/// velocities are x0 y0 z0 x1 ..., pup by pup; float litters widen to double exactly. A simulation
+/// made from a snapshot goes on bit for bit like the one it was taken from.
 struct Snapshot {
   Params params;
-  std::vector<double> positions, velocities;               // 3 * pups * points
-  std::vector<double> body_temperature, heading, exposed;  // one per pup
-  std::vector<int> touched;                                // pups * points
+  std::vector<double> positions, velocities;                        // 3 * pups * points
+  std::vector<double> body_temperature, felt_tb, heading, exposed;  // one per pup
+  std::vector<int> touched;                                         // pups * points
   std::vector<TouchingPair> touching;
   std::int64_t step = 0;
   Clock clock;
+  PartSet recorded = kContactRecords;  // those of them that the last step recorded
+
+  /// What it shows. Valid as long as the snapshot is. The sizes must fit the parameters.
+  LitterView view() const;
 };
 
 }  // namespace pupflow

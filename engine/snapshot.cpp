@@ -1,0 +1,32 @@
+#include "pupflow/snapshot.h"
+
+namespace pupflow {
+
+LitterView Snapshot::view() const {
+  const int pups = params.pups, points = points_per_pup(params);
+  PartSet kept;  // of what the last step recorded a snapshot holds the contacts alone
+  for (const Part part : {Part::exposure, Part::owners, Part::pairs}) {
+    if (recorded.has(part)) kept.add(part);
+  }
+  return {.params = params,
+          .pups = pups,
+          .points = points,
+          .positions = PointVectors(std::span<const double>(positions), pups, points),
+          .velocities = PointVectors(std::span<const double>(velocities), pups, points),
+          .tb = body_temperature,
+          .felt_tb = felt_tb,
+          .heading = heading,
+          .exposed = exposed,
+          .t_left = {},
+          .t_right = {},
+          .turn = {},
+          .touched = touched,
+          .left = {},
+          .strain = {},
+          .touching = touching,
+          .step = step,
+          .time = clock.at(step, params.dt),
+          .recorded = kept};
+}
+
+}  // namespace pupflow

@@ -5,6 +5,7 @@
 #include "bench/scenes.h"
 #include "pupflow/ensemble.h"
 #include "pupflow/observer.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 namespace {

@@ -1,4 +1,5 @@
 #include "bench/measure.h"
+#include "pupflow/simulation.h"
 
 #include <algorithm>
 #include <chrono>

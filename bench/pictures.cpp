@@ -7,6 +7,7 @@
 #include "bench/measure.h"
 #include "bench/sections.h"
 #include "bench/sitting.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 

@@ -7,6 +7,7 @@
 #include "app/io/png.h"
 #include "bench/benchmarks.h"
 #include "bench/sitting.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 namespace {

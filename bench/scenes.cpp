@@ -1,4 +1,5 @@
 #include "bench/scenes.h"
+#include "pupflow/simulation.h"
 
 #include <cmath>
 #include <deque>

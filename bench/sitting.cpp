@@ -2,6 +2,7 @@
 
 #include "app/context/headless.h"
 #include "app/pictures/studio.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 namespace {

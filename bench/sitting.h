@@ -9,6 +9,7 @@
 #include "app/view/draw_list.h"
 #include "bench/plain_frame.h"
 #include "bench/scenes.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 

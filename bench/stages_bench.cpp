@@ -5,6 +5,7 @@
 
 #include "bench/benchmarks.h"
 #include "bench/scenes.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 namespace {

@@ -4,6 +4,7 @@
 #include "bench/benchmarks.h"
 #include "bench/measure.h"
 #include "bench/scenes.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 namespace {

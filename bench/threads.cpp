@@ -8,6 +8,7 @@
 #include "bench/measure.h"
 #include "bench/scenes.h"
 #include "bench/sections.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 namespace {

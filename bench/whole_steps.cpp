@@ -9,6 +9,7 @@
 #include "bench/plain_eigen.h"
 #include "bench/scenes.h"
 #include "bench/sections.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 namespace {

@@ -1,6 +1,7 @@
 #include "pupflow/observer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -13,7 +14,28 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
+constexpr Field kExposedSdField{
+    .name = "exposed_sd",
+    .symbol = "sd(A)",
+    .label = "standard deviation of A over time",
+    .equation = "mean over pups of the standard deviation of A over the steps of the means",
+    .doc = "How much a pup's exposed share varies in time; the paper's pup flow (Fig. 2).",
+    .low = 0,
+    .parts = {Part::exposure}};
+
+std::array<Field, kRunStatisticCount> make_run_statistics() {
+  std::array<Field, kRunStatisticCount> fields;
+  std::copy(observables().begin(), observables().end(), fields.begin());
+  fields[kExposedSd] = kExposedSdField;
+  return fields;
+}
+
 }  // namespace
+
+std::span<const Field, kRunStatisticCount> run_statistics() {
+  static const std::array<Field, kRunStatisticCount> fields = make_run_statistics();
+  return fields;
+}
 
 ObservableSet ObservableSet::all() {
   ObservableSet set;

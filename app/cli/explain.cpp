@@ -13,6 +13,7 @@
 #include "app/report/stage_timer.h"
 #include "pupflow/observer.h"
 #include "pupflow/plan.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::cli {
 namespace {

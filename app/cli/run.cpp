@@ -17,6 +17,7 @@
 #include "app/io/recording.h"
 #include "pupflow/observer.h"
 #include "pupflow/overlap.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::cli {
 namespace {

@@ -61,7 +61,7 @@ std::vector<double> numbers_of(const RunMeans& means) {
   row.means = means.means();
   row.exposed_sd = means.exposed_sd();
   std::vector<double> numbers;
-  for (int i = 0; i < study::kObservables; ++i) numbers.push_back(study::observable(row, i));
+  for (std::size_t i = 0; i < kRunStatisticCount; ++i) numbers.push_back(study::statistic(row, i));
   return numbers;
 }
 
@@ -139,7 +139,7 @@ std::string Compared::trouble(std::int64_t seeds) const {
 
 std::vector<std::string> observables() {
   std::vector<std::string> names;
-  for (int i = 0; i < study::kObservables; ++i) names.emplace_back(study::observable_name(i));
+  for (const Field& field : run_statistics()) names.emplace_back(field.name);
   return names;
 }
 

@@ -1,7 +1,6 @@
 #include "app/study/compare.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -9,11 +8,10 @@
 
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
+#include "pupflow/observer.h"
 
 namespace pupflow::study {
 namespace {
-
-constexpr std::array<const char*, 5> kCompared{"mean_tb", "huddling", "groups", "largest", "flow"};
 
 [[noreturn]] void refuse(const std::string& message) {
   throw io::Failure(io::ExitCode::bad_input, message);
@@ -24,6 +22,10 @@ struct Table {
   std::string path;
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> rows;
+
+  bool has(std::string_view name) const {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
 
   std::size_t column(const std::string& name) const {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -78,6 +80,16 @@ bool same_value(const std::string& a, const std::string& b) {
   return numbers && std::abs(x - y) <= 1e-5 * std::max({std::abs(x), std::abs(y), 1e-1});
 }
 
+/// The observables that both tables hold.
+std::vector<std::string> compared(const Table& a, const Table& b) {
+  std::vector<std::string> names;
+  for (const Field& field : observables()) {
+    if (a.has(field.name) && b.has(field.name)) names.emplace_back(field.name);
+  }
+  if (names.empty()) refuse(b.path + ": has no observable in common with " + a.path);
+  return names;
+}
+
 /// Difference of two means in units of its standard error; 0 where both are the same without
 /// spread.
 double in_standard_errors(const Table& a, const Table& b, std::size_t row,
@@ -105,6 +117,7 @@ Comparison compare_summaries(const std::string& first, const std::string& second
     refuse(second + ": has " + std::to_string(b.rows.size()) + " rows, " + first + " has " +
            std::to_string(a.rows.size()));
   }
+  comparison.observables = compared(a, b);
   double squares = 0;
   for (std::size_t row = 0; row < a.rows.size(); ++row) {
     comparison.key.emplace_back();
@@ -116,13 +129,13 @@ Comparison compare_summaries(const std::string& first, const std::string& second
       }
       comparison.key.back().push_back(value);
     }
-    for (const std::string name : kCompared) {
+    for (const std::string& name : comparison.observables) {
       const double z = in_standard_errors(a, b, row, name);
       comparison.differences.push_back({row, name, a.number(row, name), b.number(row, name), z});
       comparison.beyond_three += std::abs(z) > 3 ? 1 : 0;
       comparison.unknown += std::isnan(z) ? 1 : 0;
       squares += std::isnan(z) ? 0 : z * z;
-      if (name != kCompared[0]) continue;
+      if (name != observables()[statistic_of(Observable::mean_tb)].name) continue;
       comparison.largest_tb =
           std::max(comparison.largest_tb, std::abs(a.number(row, name) - b.number(row, name)));
       if (!std::isnan(z)) {
@@ -138,25 +151,27 @@ Comparison compare_summaries(const std::string& first, const std::string& second
 
 std::string comparison_text(const Comparison& comparison) {
   std::string text = "difference of the means in combined standard errors\n";
+  constexpr int kWidth = 9;
   char cell[96];
   for (const std::string& name : comparison.varied) {
     std::snprintf(cell, sizeof cell, "%12s", name.c_str());
     text += cell;
   }
-  for (const char* name : kCompared) {
-    std::snprintf(cell, sizeof cell, "%10s", name);
+  for (const std::string& name : comparison.observables) {
+    std::snprintf(cell, sizeof cell, " %*s", kWidth, name.c_str());
     text += cell;
   }
   for (std::size_t i = 0; i < comparison.differences.size(); ++i) {
     const Difference& d = comparison.differences[i];
-    if (i % kCompared.size() == 0) {
+    if (i % comparison.observables.size() == 0) {
       text += "\n";
       for (const std::string& value : comparison.key[d.row]) {
         std::snprintf(cell, sizeof cell, "%12.10s", value.c_str());
         text += cell;
       }
     }
-    std::snprintf(cell, sizeof cell, "%+10.1f", d.standard_errors);
+    const int width = std::max(kWidth, static_cast<int>(d.observable.size()));
+    std::snprintf(cell, sizeof cell, " %+*.1f", width, d.standard_errors);
     text += cell;
   }
   std::snprintf(cell, sizeof cell, "\n%d of %zu points beyond 3", comparison.beyond_three,

@@ -1,4 +1,4 @@
-// Two summaries of the same sweep, held against each other.
+// Compares two summaries of the same sweep.
 #pragma once
 
 #include <string>
@@ -18,6 +18,7 @@ struct Difference {
 struct Comparison {
   std::vector<std::string> varied;            // names of the columns before `runs`
   std::vector<std::vector<std::string>> key;  // their values at each grid point
+  std::vector<std::string> observables;       // those that were compared
   std::vector<Difference> differences;
   int beyond_three = 0;   // points more than three standard errors apart
   int unknown = 0;        // points where a file has fewer than two runs, so no standard error
@@ -26,7 +27,7 @@ struct Comparison {
   double largest_tb_errors = 0;  // the same in standard errors, where these are known
 };
 
-/// Compares mean_tb, huddling, groups, largest and flow. Varied parameters must be the same and
+/// Compares all observables that both files hold. Varied parameters must be the same and
 /// agree within 1e-5 relative. Throws io::Failure: bad_file when a file cannot be
 /// read, bad_input when it is no summary or they do not fit together.
 Comparison compare_summaries(const std::string& first, const std::string& second);

@@ -10,47 +10,49 @@
 namespace pupflow::study {
 namespace {
 
-/// A parameter's symbol in gnuplot's enhanced text, with its unit.
-std::string label(const Parameter& parameter) {
-  if (parameter.symbol.empty()) return std::string(parameter.title);
-  const std::string symbol(parameter.symbol);
-  std::string text;
-  for (std::size_t i = 0; i < symbol.size(); ++i) {
-    if (symbol[i] != '_') {
-      text += symbol[i];
+/// `text` as gnuplot's enhanced text: "T_b(0)" becomes "T_{b}(0)".
+std::string enhanced(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '_') {
+      result += text[i];
       continue;
     }
-    const std::size_t end = symbol.find('(', i);
-    text += "_{" + symbol.substr(i + 1, end == std::string::npos ? end : end - i - 1) + "}";
-    i = end == std::string::npos ? symbol.size() : end - 1;
+    const std::size_t end = std::min(text.find_first_of(" ()", i), text.size());
+    result += "_{" + std::string(text.substr(i + 1, end - i - 1)) + "}";
+    i = end - 1;
   }
-  text += "  (" + std::string(parameter.title);
+  return result;
+}
+
+/// A parameter's symbol and title, with its unit.
+std::string label(const Parameter& parameter) {
+  if (parameter.symbol.empty()) return std::string(parameter.title);
+  std::string text = enhanced(parameter.symbol) + "  (" + std::string(parameter.title);
   if (!parameter.unit.empty()) text += ", " + std::string(parameter.unit);
   return text + ")";
 }
 
-struct Panel {
-  const char* column;
-  const char* title;
-};
+/// An output's label with its unit.
+std::string label(const Field& field) {
+  std::string text = enhanced(field.label);
+  if (!field.unit.empty()) text += "  (" + std::string(field.unit) + ")";
+  return text;
+}
 
+/// The panels of the paper's Figure 2.
+struct Panel {
+  Observable observable;
+  std::string_view title;  // in place of the observable's label; may be empty
+};
 constexpr Panel kFourPanels[] = {
-    {"mean_tb", "A   body temperature T_{b}  (0.6 is 37 °C)"},
-    {"huddling", "B   huddling 1 - A"},
-    {"groups", "C   groups"},
-    {"flow", "D   pup flow and standard deviation of A"},
+    {Observable::mean_tb, "body temperature T_b  (0.6 is 37 °C)"},
+    {Observable::huddling, ""},
+    {Observable::groups, ""},
+    {Observable::flow, "pup flow and standard deviation of A"},
 };
 
 constexpr const char *kBlue = "#31688e", *kOrange = "#c2570c", *kShade = "#f3ead0";
-
-constexpr Panel kMaps[] = {
-    {"mean_tb", "body temperature T_{b}  (0.6 is 37 °C)"},
-    {"huddling", "huddling 1 - A"},
-    {"groups", "groups"},
-    {"largest", "pups in the largest group"},
-    {"flow", "pup flow |ΔA|/Δt  (1/s)"},
-    {"membership_flow", "membership flow  (1/s)"},
-};
 
 std::string opening(const Design& design, int width, int height) {
   std::ostringstream s;
@@ -133,7 +135,7 @@ struct Curves {
 /// Commands that let the upright axis start at 0, or say that it does not: T_b may be negative.
 std::string start_of_axis(const std::vector<Summary>& summaries, bool first) {
   const bool negative = std::any_of(summaries.begin(), summaries.end(), [](const Summary& s) {
-    return s.runs > 0 && s.observables[0].mean < 0;
+    return s.runs > 0 && s.statistics[statistic_of(Observable::mean_tb)].mean < 0;
   });
   if (!(first && negative)) return "  set yrange [0:*]\n";
   return "  set yrange [*:*]\n  set label 5 'this axis does not start at 0' at graph 0.98, 0.03 "
@@ -153,7 +155,7 @@ std::string four_panels(const Design& design, const Axis& axis,
                               ? "1 step"
                               : std::to_string(design.base.flow_lag) + " steps";
   const bool has_sd = std::any_of(summaries.begin(), summaries.end(), [](const Summary& summary) {
-    return summary.observables.back().mean >= 0;  // NaN where the means are of one step
+    return summary.statistics[kExposedSd].mean >= 0;  // NaN where the means are of one step
   });
   std::string note;
   if (design.seeds > 1) {
@@ -175,10 +177,13 @@ std::string four_panels(const Design& design, const Axis& axis,
   if (curves.words) s << "  set xrange [-0.5:" << axis.values.size() << " - 0.5]\n";
   if (!note.empty())
     s << "  set label 4 '" << note << "' at screen 0.92, 0.02 right tc '#666666'\n";
-  for (const Panel& panel : kFourPanels) {
-    const std::string column(panel.column);
-    const bool first = column == "mean_tb", flow = column == "flow";
-    s << "\n  set label 3 \"" << panel.title << "\" at graph 0, graph 1.05 left\n";
+  char letter = 'A';
+  for (const auto& [observable, title] : kFourPanels) {
+    const Field& field = observables()[statistic_of(observable)];
+    const std::string column(field.name);
+    const bool first = observable == Observable::mean_tb, flow = observable == Observable::flow;
+    s << "\n  set label 3 \"" << letter++ << "   "
+      << (title.empty() ? label(field) : enhanced(title)) << "\" at graph 0, graph 1.05 left\n";
     if (!first) s << "  unset label 4\n  unset label 5\n";  // drawn with the first panel
     if (ta) s << marks(design, axis, first);
     s << start_of_axis(summaries, first);
@@ -187,14 +192,16 @@ std::string four_panels(const Design& design, const Axis& axis,
         << "'\n  set ytics textcolor '" << kBlue << "'\n"
         << "  set ylabel 'pup flow |ΔA|/Δt over " << lag << "  (1/s)' textcolor '" << kBlue
         << "' offset 1,0\n"
-        << "  set y2label 'standard deviation of A over time' textcolor '" << kOrange << "'\n";
+        << "  set y2label '" << label(run_statistics()[kExposedSd]) << "' textcolor '" << kOrange
+        << "'\n";
     }
     s << "  plot ";
     if (ta && first) s << "x with lines dt 4 lc '#888888' title 'T_{b} = T_{a}', \\\n       ";
     s << curves.of(column, kBlue, "x1y1", 0, flow ? "title 'pup flow (left)'" : "notitle");
     if (flow && has_sd) {
       s << ", \\\n       "
-        << curves.of("exposed_sd", kOrange, "x1y2", 0.08, "title 'sd of A (right)'");
+        << curves.of(std::string(run_statistics()[kExposedSd].name), kOrange, "x1y2", 0.08,
+                     "title 'sd of A (right)'");
     }
     s << '\n';
   }
@@ -231,10 +238,10 @@ std::string heat_maps(const Design& design, const Axis& down, const Axis& across
   };
   ticks("x", across);
   ticks("y", down);
-  for (const Panel& panel : kMaps) {
-    s << "\n  set title \"" << panel.title
+  for (const Field& field : observables()) {
+    s << "\n  set title \"" << label(field)
       << "\" offset 0,-0.4\n  plot 'summary.csv' using (int(column(0)) % " << across.values.size()
-      << "):(int(column(0)) / " << across.values.size() << "):(column('" << panel.column
+      << "):(int(column(0)) / " << across.values.size() << "):(column('" << field.name
       << "')) with image\n";
   }
   s << "  unset multiplot\n  unset output\n}\n";

@@ -19,21 +19,6 @@ namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLargestFile = std::size_t{1} << 34;
 
-struct Column {
-  const char* name;
-  double& (*of)(Row&);
-};
-
-constexpr std::array<Column, kObservables> kColumns{{
-    {"mean_tb", [](Row& r) -> double& { return r.means.mean_tb; }},
-    {"huddling", [](Row& r) -> double& { return r.means.huddling; }},
-    {"groups", [](Row& r) -> double& { return r.means.groups; }},
-    {"largest", [](Row& r) -> double& { return r.means.largest; }},
-    {"flow", [](Row& r) -> double& { return r.means.flow; }},
-    {"membership_flow", [](Row& r) -> double& { return r.means.membership_flow; }},
-    {"exposed_sd", [](Row& r) -> double& { return r.exposed_sd; }},
-}};
-
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   std::istringstream stream(line);
@@ -75,7 +60,7 @@ Spread spread_of(const std::vector<double>& values) {
 Summary summarise_point(const Design& design, std::int64_t point, const Row* rows) {
   Summary summary;
   summary.values = design.values_at(point);
-  std::array<std::vector<double>, kObservables> values;
+  std::array<std::vector<double>, kRunStatisticCount> values;
   for (std::int64_t i = 0; i < design.seeds; ++i) {
     if (!rows[i].fine()) {
       ++summary.failed;
@@ -83,10 +68,11 @@ Summary summarise_point(const Design& design, std::int64_t point, const Row* row
     }
     ++summary.runs;
     summary.warned += rows[i].warned() ? 1 : 0;
-    for (int c = 0; c < kObservables; ++c)
-      values[static_cast<std::size_t>(c)].push_back(observable(rows[i], c));
+    for (std::size_t k = 0; k < kRunStatisticCount; ++k) {
+      values[k].push_back(statistic(rows[i], k));
+    }
   }
-  for (const auto& column : values) summary.observables.push_back(spread_of(column));
+  for (const auto& column : values) summary.statistics.push_back(spread_of(column));
   return summary;
 }
 
@@ -103,9 +89,10 @@ void add_susceptibility(const Design& design, std::vector<Summary>& summaries) {
         const std::int64_t low = i - (k > 0 ? stride : 0), high = i + (k + 1 < size ? stride : 0);
         const Summary& before = summaries[static_cast<std::size_t>(low)];
         const Summary& after = summaries[static_cast<std::size_t>(high)];
-        const double exposed = before.observables[1].mean - after.observables[1].mean;
+        constexpr std::size_t kHuddling = statistic_of(Observable::huddling);
+        const double fall = before.statistics[kHuddling].mean - after.statistics[kHuddling].mean;
         summaries[static_cast<std::size_t>(i)].susceptibility =
-            std::abs(exposed / (after.values[a] - before.values[a]));
+            std::abs(fall / (after.values[a] - before.values[a]));
       }
     }
     stride *= size;
@@ -122,13 +109,12 @@ void write_header(io::AtomicFile& file, const Design& design) {
 
 }  // namespace
 
-const char* observable_name(int i) {
-  return kColumns[static_cast<std::size_t>(i)].name;
+double& statistic(Row& row, std::size_t i) {
+  return i == kExposedSd ? row.exposed_sd : row.means.*observables()[i].value;
 }
 
-double observable(const Row& row, int i) {
-  Row copy = row;
-  return kColumns[static_cast<std::size_t>(i)].of(copy);
+double statistic(const Row& row, std::size_t i) {
+  return i == kExposedSd ? row.exposed_sd : row.means.*observables()[i].value;
 }
 
 Row make_row(std::int64_t run, const RunResult& result) {
@@ -141,19 +127,21 @@ Row make_row(std::int64_t run, const RunResult& result) {
   const std::string warnings = warnings_text(result.warnings.all());
   if (!warnings.empty()) row.status += "; " + warnings;
   if (result.status.ok()) return row;
-  for (const Column& column : kColumns) column.of(row) = kNothing;
+  for (std::size_t i = 0; i < kRunStatisticCount; ++i) statistic(row, i) = kNothing;
   return row;
 }
 
 std::string runs_columns(const Design& design) {
   std::string names = varied_names(design) + "seed,status";
-  for (const Column& column : kColumns) names += std::string(",") + column.name;
+  for (const Field& field : run_statistics()) names.append(",").append(field.name);
   return names;
 }
 
 std::string row_text(const Design& design, const Row& row) {
   std::string text = key_text(design, row.run) + row.status;
-  for (int c = 0; c < kObservables; ++c) text += "," + io::number_text(observable(row, c));
+  for (std::size_t i = 0; i < kRunStatisticCount; ++i) {
+    text += "," + io::number_text(statistic(row, i));
+  }
   return text;
 }
 
@@ -161,12 +149,12 @@ std::optional<Row> parse_row(const Design& design, std::int64_t run, const std::
   const std::string key = key_text(design, run);
   if (!line.starts_with(key)) return std::nullopt;
   const std::vector<std::string> cells = cells_of(line.substr(key.size()));
-  if (cells.size() != 1 + kObservables || cells[0].empty()) return std::nullopt;
+  if (cells.size() != 1 + kRunStatisticCount || cells[0].empty()) return std::nullopt;
   Row row;
   row.run = run;
   row.status = cells[0];
-  for (std::size_t c = 0; c < kObservables; ++c) {
-    if (!parse_number(cells[1 + c], kColumns[c].of(row))) return std::nullopt;
+  for (std::size_t i = 0; i < kRunStatisticCount; ++i) {
+    if (!parse_number(cells[1 + i], statistic(row, i))) return std::nullopt;
   }
   if (row_text(design, row) != line) return std::nullopt;
   return row;
@@ -195,8 +183,10 @@ void write_summary(const std::string& path, const Design& design,
   io::AtomicFile file(path, true);
   write_header(file, design);
   std::string names = varied_names(design) + "runs";
-  for (const Column& column : kColumns)
-    names += std::string(",") + column.name + "," + column.name + "_sd";
+  for (const Field& field : run_statistics()) {
+    const std::string name(field.name);
+    names += "," + name + "," + name + "_sd";
+  }
   file.write(names + ",susceptibility,failed,warned\n");
   for (const Summary& summary : summaries) {
     std::string line;
@@ -204,7 +194,7 @@ void write_summary(const std::string& path, const Design& design,
       line += format_value(*design.axes[a].parameter, summary.values[a]) + ",";
     }
     line += std::to_string(summary.runs);
-    for (const Spread& spread : summary.observables) {
+    for (const Spread& spread : summary.statistics) {
       line += "," + io::number_text(spread.mean) + "," + io::number_text(spread.sd);
     }
     line += "," + io::number_text(summary.susceptibility) + "," + std::to_string(summary.failed) +

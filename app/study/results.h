@@ -24,10 +24,9 @@ struct Row {
 
 Row make_row(std::int64_t run, const RunResult& result);
 
-/// The observables of a row by name, in the order of the files' columns.
-constexpr int kObservables = 7;
-const char* observable_name(int i);
-double observable(const Row& row, int i);
+/// Number `i` of run_statistics() in a row.
+double& statistic(Row& row, std::size_t i);
+double statistic(const Row& row, std::size_t i);
 
 /// Column names and one line (without its end) of the runs CSV.
 std::string runs_columns(const Design& design);
@@ -47,7 +46,7 @@ struct Spread {
 struct Summary {
   std::vector<double> values;  // of the varied parameters
   std::int64_t runs = 0, failed = 0, warned = 0;
-  std::vector<Spread> observables;
+  std::vector<Spread> statistics;  // of run_statistics()
   double susceptibility =
       0;  // |d<A>/dT_a| by central differences along ta; NaN when ta is not varied
 };

@@ -8,13 +8,15 @@
 namespace pupflow::study {
 namespace {
 
-enum Index { kMeanTb = 0, kHuddling = 1, kFlow = 4, kExposedSd = 6 };  // of observable()
+constexpr std::size_t kMeanTb = statistic_of(Observable::mean_tb),
+                      kHuddling = statistic_of(Observable::huddling),
+                      kFlow = statistic_of(Observable::flow);
 
-double mean_of(const Summary& summary, Index index) {
-  return summary.observables[index].mean;
+double mean_of(const Summary& summary, std::size_t statistic) {
+  return summary.statistics[statistic].mean;
 }
 
-Peak peak_of(const std::vector<Summary>& summaries, Index index) {
+Peak peak_of(const std::vector<Summary>& summaries, std::size_t index) {
   const Summary& highest = *std::max_element(
       summaries.begin(), summaries.end(),
       [&](const Summary& a, const Summary& b) { return mean_of(a, index) < mean_of(b, index); });

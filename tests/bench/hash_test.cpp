@@ -10,6 +10,7 @@
 
 #include "bench/measure.h"
 #include "bench/scenes.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 namespace {

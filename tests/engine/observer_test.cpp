@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pupflow/geometry.h"
+#include "pupflow/simulation.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {

@@ -12,6 +12,7 @@
 #include "engine/cloud.h"
 #include "engine/shape_match.h"
 #include "pupflow/geometry.h"
+#include "pupflow/simulation.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {

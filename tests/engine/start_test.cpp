@@ -6,6 +6,7 @@
 #include <set>
 
 #include "pupflow/geometry.h"
+#include "pupflow/simulation.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {

@@ -8,6 +8,7 @@
 
 #include "engine/rng.h"
 #include "pupflow/observer.h"
+#include "pupflow/simulation.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {

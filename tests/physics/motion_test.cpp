@@ -5,6 +5,7 @@
 
 #include "engine/cloud.h"
 #include "pupflow/geometry.h"
+#include "pupflow/simulation.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "pupflow/observer.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow {
 namespace {

@@ -12,6 +12,7 @@
 #include "app/io/png.h"
 #include "app/io/provenance.h"
 #include "app/view/colormap.h"
+#include "pupflow/simulation.h"
 #include "tests/pictures/gl_test.h"
 #include "tests/support/scratch.h"
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/io/failure.h"
+#include "pupflow/simulation.h"
 #include "tests/pictures/gl_test.h"
 
 namespace pupflow::gl {

@@ -5,6 +5,7 @@
 
 #include "app/gl/program.h"
 #include "app/io/failure.h"
+#include "pupflow/simulation.h"
 #include "tests/pictures/gl_test.h"
 #include "tests/support/scratch.h"
 

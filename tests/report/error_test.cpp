@@ -8,6 +8,7 @@
 #include "app/report/error_scenes.h"
 #include "app/report/rotations.h"
 #include "engine/rotation.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::report {
 namespace {

@@ -9,6 +9,7 @@
 #include "app/io/scene_file.h"
 #include "app/report/report.h"
 #include "app/report/stage_timer.h"
+#include "pupflow/simulation.h"
 #include "tests/support/scratch.h"
 
 namespace pupflow::report {

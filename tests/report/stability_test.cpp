@@ -12,6 +12,7 @@
 #include "app/report/stability_maps.h"
 #include "app/report/stability_measure.h"
 #include "app/report/stability_scenes.h"
+#include "pupflow/simulation.h"
 #include "tests/support/litter.h"
 
 namespace pupflow::report {

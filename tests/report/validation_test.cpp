@@ -9,6 +9,7 @@
 #include "app/report/validation_symmetry.h"
 #include "app/report/validation_units.h"
 #include "pupflow/ensemble.h"
+#include "pupflow/simulation.h"
 
 namespace pupflow::report {
 namespace {

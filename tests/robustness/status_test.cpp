@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pupflow/simulation.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {

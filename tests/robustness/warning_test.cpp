@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "pupflow/simulation.h"
 #include "tests/support/litter.h"
 
 namespace pupflow {

@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "pupflow/simulation.h"
 #include "tests/study/small_design.h"
 
 namespace pupflow {

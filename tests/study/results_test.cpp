@@ -35,7 +35,8 @@ TEST(RunRow, ReadsBackToTheSameNumbers) {
   ASSERT_TRUE(back);
   EXPECT_EQ(back->run, 22);
   EXPECT_TRUE(back->fine());
-  for (int i = 0; i < kObservables - 1; ++i) EXPECT_EQ(observable(*back, i), observable(row, i));
+  for (std::size_t i = 0; i < kRunStatisticCount - 1; ++i)
+    EXPECT_EQ(statistic(*back, i), statistic(row, i));
   EXPECT_TRUE(std::isnan(back->exposed_sd));
   EXPECT_EQ(row_text(design, *back), text);
 }
@@ -47,7 +48,7 @@ TEST(RunRow, KeepsWhereARunWentWrongInOneCell) {
   EXPECT_THAT(row.status, HasSubstr("step 12"));
   EXPECT_THAT(row.status, HasSubstr("shape_match"));
   const std::string text = row_text(design, row);
-  EXPECT_EQ(std::count(text.begin(), text.end(), ','), 2 + kObservables);
+  EXPECT_EQ(std::count(text.begin(), text.end(), ','), 2 + std::ptrdiff_t{kRunStatisticCount});
   const auto back = parse_row(design, 1, text);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->status, row.status);
@@ -107,15 +108,15 @@ TEST(Summaries, HoldMeanAndSampleDeviationOfTheFineRuns) {
   ASSERT_EQ(summaries.size(), 2u);
   EXPECT_EQ(summaries[0].runs, 3);
   EXPECT_EQ(summaries[0].failed, 1);
-  for (std::size_t c = 0; c < kObservables; ++c) {
-    EXPECT_DOUBLE_EQ(summaries[0].observables[c].mean, 3 + static_cast<double>(c));
-    EXPECT_DOUBLE_EQ(summaries[0].observables[c].sd, std::sqrt((4. + 1 + 9) / 2));
+  for (std::size_t c = 0; c < kRunStatisticCount; ++c) {
+    EXPECT_DOUBLE_EQ(summaries[0].statistics[c].mean, 3 + static_cast<double>(c));
+    EXPECT_DOUBLE_EQ(summaries[0].statistics[c].sd, std::sqrt((4. + 1 + 9) / 2));
   }
   EXPECT_EQ(summaries[1].runs, 1);
   EXPECT_EQ(summaries[1].failed, 3);
-  EXPECT_DOUBLE_EQ(summaries[1].observables[0].mean, 5);
-  EXPECT_TRUE(std::isnan(summaries[1].observables[0].sd));  // one run has no spread
-  EXPECT_TRUE(std::isnan(summaries[0].susceptibility));     // ta is not varied
+  EXPECT_DOUBLE_EQ(summaries[1].statistics[0].mean, 5);
+  EXPECT_TRUE(std::isnan(summaries[1].statistics[0].sd));  // one run has no spread
+  EXPECT_TRUE(std::isnan(summaries[0].susceptibility));    // ta is not varied
 }
 
 TEST(Summaries, CountRunsWithAWarningAmongTheFine) {
@@ -124,7 +125,7 @@ TEST(Summaries, CountRunsWithAWarningAmongTheFine) {
   EXPECT_EQ(summaries[0].runs, 3);
   EXPECT_EQ(summaries[0].failed, 1);
   EXPECT_EQ(summaries[0].warned, 2);
-  EXPECT_DOUBLE_EQ(summaries[0].observables[0].mean, 3);
+  EXPECT_DOUBLE_EQ(summaries[0].statistics[0].mean, 3);
 }
 
 TEST(Summaries, WithoutAFineRunHaveNoMean) {
@@ -132,7 +133,7 @@ TEST(Summaries, WithoutAFineRunHaveNoMean) {
       summarise(small_design({"ta=0.5"}, 2), {bad_row(0), bad_row(1)});
   EXPECT_EQ(summaries[0].runs, 0);
   EXPECT_EQ(summaries[0].failed, 2);
-  EXPECT_TRUE(std::isnan(summaries[0].observables[4].mean));
+  EXPECT_TRUE(std::isnan(summaries[0].statistics[4].mean));
 }
 
 /// Rows of one seed whose huddling is `of(point)`.

@@ -57,6 +57,17 @@ class Observer {
   std::vector<int> labels_;                   // its groups; empty while nobody asked for them
 };
 
+/// What a whole run comes to: means of the observables, in their order, then the standard deviation
+/// of a pup's A over time, mean over pups.
+constexpr std::size_t kRunStatisticCount = kObservableCount + 1;
+std::span<const Field, kRunStatisticCount> run_statistics();
+
+/// The places of an observable's mean and of the standard deviation of A among them.
+constexpr std::size_t statistic_of(Observable observable) {
+  return static_cast<std::size_t>(observable);
+}
+constexpr std::size_t kExposedSd = kObservableCount;
+
 /// Means of a run over the steps after `discard`, as the rows of a sweep report them.
 class RunMeans {
  public:

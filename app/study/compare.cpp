@@ -80,14 +80,19 @@ bool same_value(const std::string& a, const std::string& b) {
   return numbers && std::abs(x - y) <= 1e-5 * std::max({std::abs(x), std::abs(y), 1e-1});
 }
 
-/// The observables that both tables hold.
-std::vector<std::string> compared(const Table& a, const Table& b) {
-  std::vector<std::string> names;
+bool holds(const Table& table, const std::string& observable) {
+  return table.has(observable) && table.has(observable + "_sd");
+}
+
+/// Sorts the observables into those that both tables hold and those that are left out.
+void choose_observables(const Table& a, const Table& b, Comparison& comparison) {
   for (const Field& field : observables()) {
-    if (a.has(field.name) && b.has(field.name)) names.emplace_back(field.name);
+    const std::string name(field.name);
+    (holds(a, name) && holds(b, name) ? comparison.observables : comparison.left_out)
+        .push_back(name);
   }
-  if (names.empty()) refuse(b.path + ": has no observable in common with " + a.path);
-  return names;
+  if (comparison.observables.empty())
+    refuse(b.path + ": has no observable with its _sd in common with " + a.path);
 }
 
 /// Difference of two means in units of its standard error; 0 where both are the same without
@@ -117,7 +122,7 @@ Comparison compare_summaries(const std::string& first, const std::string& second
     refuse(second + ": has " + std::to_string(b.rows.size()) + " rows, " + first + " has " +
            std::to_string(a.rows.size()));
   }
-  comparison.observables = compared(a, b);
+  choose_observables(a, b, comparison);
   double squares = 0;
   for (std::size_t row = 0; row < a.rows.size(); ++row) {
     comparison.key.emplace_back();
@@ -183,7 +188,10 @@ std::string comparison_text(const Comparison& comparison) {
   }
   std::snprintf(cell, sizeof cell, ", rms %.2f, mean_tb within %.4f and %.1f standard errors\n",
                 comparison.rms, comparison.largest_tb, comparison.largest_tb_errors);
-  return text + cell;
+  text += cell;
+  for (const std::string& name : comparison.left_out)
+    text += name + " was left out: it is not in both files\n";
+  return text;
 }
 
 }  // namespace pupflow::study

@@ -18,7 +18,8 @@ struct Difference {
 struct Comparison {
   std::vector<std::string> varied;            // names of the columns before `runs`
   std::vector<std::vector<std::string>> key;  // their values at each grid point
-  std::vector<std::string> observables;       // those that were compared
+  std::vector<std::string> observables;       // that were compared, and
+  std::vector<std::string> left_out;          // those that one of the files lacks
   std::vector<Difference> differences;
   int beyond_three = 0;   // points more than three standard errors apart
   int unknown = 0;        // points where a file has fewer than two runs, so no standard error

@@ -42,8 +42,8 @@ struct Cloud {
   const Real* mode_row(int m) const { return mode.data() + static_cast<std::size_t>(m) * stride; }
 };
 
-/// The cloud of `rest` offsets, which must have the symmetry of `cube_sphere`: that of the cube, and
-/// offset n/2 + i is minus offset i, to the bit.
+/// The cloud of `rest` offsets, which must have the symmetry of `cube_sphere`: that of the cube,
+/// and offset n/2 + i is minus offset i, to the bit.
 template <class Real>
 Cloud<Real> make_cloud(const std::vector<Eigen::Vector3d>& rest);
 

@@ -231,7 +231,8 @@ void Contacts<Real>::add_up(std::span<const Touch> touches, Scratch& mine) const
   }
 }
 
-/// Moves point `i` by its contacts. False when the displacement is `suspect` or more, or not finite.
+/// Moves point `i` by its contacts. False when the displacement is `suspect` or more, or not
+/// finite.
 template <class Real>
 bool Contacts<Real>::move_point(const Touch& touch, Real factor, Real suspect, std::size_t i,
                                 State<Real>& state) const {

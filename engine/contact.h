@@ -6,15 +6,20 @@
 //
 // Only the upper of the two moves, from the positions before this stage:
 //
-//   contact = nearest   p_a <- p_a + (p_a - p_b)(2 r - d)              v_a <- p_b - p_a
-//   contact = mean      p_a <- p_a + mean over b of (p_a - p_b)(2 r - d)   v_a <- mean over b of (p_b - p_a)
-//   contact = sum       p_a <- p_a + sum over b of (p_a - p_b)(2 r - d)    v_a <- mean over b of (p_b - p_a)
+//   contact = nearest   p_a <- p_a + (p_a - p_b) (2 r - d)
+//                       v_a <- p_b - p_a
 //
-// where b is the nearest touching lower point, or goes over all touching lower points. At equal
-// heights the point of the lower pup index is the upper one. At equal distances the point of the
-// lower pup, then that of the lower point index, is the nearest. A point's nearest touching point,
-// upper or lower, says whose temperature its afferent feels. Wilson 2017, Methods; docs/model.md,
-// Contacts.
+//   contact = mean      p_a <- p_a + mean of (p_a - p_b) (2 r - d)
+//                       v_a <- mean of (p_b - p_a)
+//
+//   contact = sum       p_a <- p_a + sum of (p_a - p_b) (2 r - d)
+//                       v_a <- mean of (p_b - p_a)
+//
+// where b is the nearest touching lower point, and mean and sum are over all touching lower points
+// b. At equal heights the point of the lower pup index is the upper one. At equal distances the
+// point of the lower pup, then that of the lower point index, is the nearest. A point's nearest
+// touching point, upper or lower, says whose temperature its afferent feels. Wilson 2017, Methods;
+// docs/model.md, Contacts.
 #pragma once
 
 #include <cstdint>

@@ -10,9 +10,9 @@ namespace pupflow {
 /// A point further than this many pup radii from its pup's centre has diverged.
 constexpr double kDivergedRadii = 100;
 
-/// A pup is inspected point by point when it was displaced, or its box is longer, than this many pup
-/// radii. None is missed: a point can only have diverged when a side of its pup's box is longer than
-/// kDivergedRadii / sqrt(3) pup radii.
+/// A pup is inspected point by point when it was displaced, or its box is longer, than this many
+/// pup radii. None is missed: a point can only have diverged when a side of its pup's box is longer
+/// than kDivergedRadii / sqrt(3) pup radii.
 constexpr double kSuspectRadii = 50;
 
 /// The first point of `pup` whose position or velocity is not finite. Fine when there is none. The

@@ -51,8 +51,8 @@ double mean_after_step(const Params& params, double tb, double to_air, double to
   return sum / kSumUnit;
 }
 
-/// Whether forward Euler is unstable, k h > 2, so that each step overshoots equilibrium by more than
-/// the step before, and the change of T_b in this step is out of all proportion.
+/// Whether forward Euler is unstable, k h > 2, so that each step overshoots equilibrium by more
+/// than the step before, and the change of T_b in this step is out of all proportion.
 bool euler_diverged(const Params& params, double exposed, double change) {
   constexpr double kProportion = 100;
   const double k = params.air_conductance * exposed + params.contact_conductance * (1 - exposed);

@@ -19,13 +19,13 @@
 
 namespace pupflow {
 
-/// T_b after one step of `params.dt`, by `params.heat`. `exposed` is A. `contact_mean` is the mean T_c
-/// of the touching afferents and matters only where exposed < 1 and k2 > 0. Rates may overflow:
+/// T_b after one step of `params.dt`, by `params.heat`. `exposed` is A. `contact_mean` is the mean
+/// T_c of the touching afferents and matters only where exposed < 1 and k2 > 0. Rates may overflow:
 /// the result is finite wherever the exact value of the step is.
 double heat_step(const Params& params, double tb, double exposed, double contact_mean);
 
-/// T_b of one pup after this step goes to `next`, since all pups change at once. Without `with_mean`
-/// the mean of T_c is not computed; k2 must then be 0, or no pup touch another.
+/// T_b of one pup after this step goes to `next`, since all pups change at once. Without
+/// `with_mean` the mean of T_c is not computed; k2 must then be 0, or no pup touch another.
 template <class Real>
 Status heat(const Params& params, bool with_mean, const State<Real>& state, int pup, double& next);
 

@@ -77,8 +77,8 @@ struct Kernels {
   /// and clears the others.
   void (*left)(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosine, Real sine,
                std::uint64_t* words);
-  /// Copies the points inside the region to `out`, in order, with one pack of points far away behind
-  /// them.
+  /// Copies the points inside the region to `out`, in order, with one pack of points far away
+  /// behind them.
   void (*gather)(const Real* const xyz[3], int points, const Region<Real>& region,
                  Candidates<Real>& out);
   /// The box round some candidates, at least one.

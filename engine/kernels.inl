@@ -67,10 +67,10 @@ void predict(Real h, Real gain, int points, Real* x, Real* v) {
   });
 }
 
-/// Sums of the `Count` modes `rows` times position. Point half + i mirrors point i (cloud.h), so one
-/// pass over the first half reads both. Even modes have the same value at mirrored points and take
-/// the sum of both; odd modes have opposite values and take the difference. Several modes at a time
-/// share the loads. Their number changes no bit of any sum.
+/// Sums of the `Count` modes `rows` times position. Point half + i mirrors point i (cloud.h), so
+/// one pass over the first half reads both. Even modes have the same value at mirrored points and
+/// take the sum of both; odd modes have opposite values and take the difference. Several modes at a
+/// time share the loads. Their number changes no bit of any sum.
 template <int Count, bool Odd, class Real>
 void fit_some(const Real* const* rows, int half, const Real* const xyz[3], Real* const* sums) {
   using P = Pack<Real>;
@@ -128,8 +128,9 @@ void fit(const Real* modes, int count, int points, int stride, const Real* const
   fit_parity<false>(even, evens, half, xyz, even_sums);
 }
 
-/// Calls `visit(target, at, lanes)` for the packs of all points, the first at index `at`. `target` is
-/// the sum of goal[m] mode_m there. `lanes(value, other)` has `value` in the lanes that are points.
+/// Calls `visit(target, at, lanes)` for the packs of all points, the first at index `at`. `target`
+/// is the sum of goal[m] mode_m there. `lanes(value, other)` has `value` in the lanes that are
+/// points.
 template <int Count, class Real, class Visit>
 PUPFLOW_INLINE inline void for_goals(const Real* modes, int half, int stride, const Real* goal,
                                      Visit visit) {

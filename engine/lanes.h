@@ -17,8 +17,8 @@ constexpr int padded(int count) {
   return (count + kLanes<Real> - 1) / kLanes<Real> * kLanes<Real>;
 }
 
-/// Numbers per array, in whole packs, for `points` points. The kernels also read packs that begin at
-/// the middle, since the second half of a cloud mirrors the first. They fit, too.
+/// Numbers per array, in whole packs, for `points` points. The kernels also read packs that begin
+/// at the middle, since the second half of a cloud mirrors the first. They fit, too.
 template <class Real>
 constexpr int stride_for(int points) {
   const int half = points / 2, mirrored = half + padded<Real>(half);

@@ -29,9 +29,9 @@ std::vector<double> nearest_distances(const std::vector<Eigen::Vector3d>& centre
   return nearest;
 }
 
-/// The part of the edge from `a` to `b`, seen along z, in the winding round `p`: +-1 where it crosses
-/// the line y = p.y at a larger x than p, else 0. For both directions of an edge the same numbers
-/// are compared, so the two triangles beside it always agree.
+/// The part of the edge from `a` to `b`, seen along z, in the winding round `p`: +-1 where it
+/// crosses the line y = p.y at a larger x than p, else 0. For both directions of an edge the same
+/// numbers are compared, so the two triangles beside it always agree.
 int edge_crossing(const double* a, const double* b, const double* p) {
   const bool upward = a[1] <= p[1];
   if (upward == (b[1] <= p[1])) return 0;

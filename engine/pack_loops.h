@@ -48,8 +48,8 @@ PUPFLOW_INLINE inline std::uint32_t point_lanes(int i, int points) {
   return remaining >= kLanes<Real> ? ~0u : (1u << remaining) - 1;
 }
 
-/// Sets the bits of `words` from i on by `bits`. They must be clear before. A pack never crosses the
-/// end of a word.
+/// Sets the bits of `words` from i on by `bits`. They must be clear before. A pack never crosses
+/// the end of a word.
 PUPFLOW_INLINE inline void set_bits(std::uint64_t* words, int i, std::uint32_t bits) {
   assert((words[i / 64] >> (i % 64)) == 0);
   words[i / 64] |= static_cast<std::uint64_t>(bits) << (i % 64);

@@ -1,4 +1,5 @@
-// Random numbers with the same bits everywhere, which the standard library's distributions have not.
+// Random numbers with the same bits everywhere, which the standard library's distributions have
+// not.
 #pragma once
 
 #include <Eigen/Core>

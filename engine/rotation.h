@@ -19,8 +19,8 @@ struct Rotation {
 
 /// The R in SO(3) with the least |R - a| (Frobenius norm), for any `a`. The regular case uses
 /// Newton's iteration for the polar factor with Frobenius scaling (Higham 1986, SIAM J. Sci. Stat.
-/// Comput. 7, 1160), the others one-sided Jacobi singular values, where the smallest one changes its
-/// sign if det would be -1 (Umeyama 1991). The result does not depend on the scale of `a`.
+/// Comput. 7, 1160), the others one-sided Jacobi singular values, where the smallest one changes
+/// its sign if det would be -1 (Umeyama 1991). The result does not depend on the scale of `a`.
 Rotation nearest_rotation(const Eigen::Matrix3d& a);
 
 }  // namespace pupflow

@@ -8,9 +8,9 @@
 namespace pupflow {
 namespace {
 
-/// The largest volume factor: 3 up to beta = 0.9, 1/beta from beta = 0.95 on, linear in between. The
-/// goals contain beta times the fit. With factor * beta <= 1, a body that is kept flat cannot grow
-/// in its other directions from step to step.
+/// The largest volume factor: 3 up to beta = 0.9, 1/beta from beta = 0.95 on, linear in between.
+/// The goals contain beta times the fit. With factor * beta <= 1, a body that is kept flat cannot
+/// grow in its other directions from step to step.
 double largest_volume_factor(double beta) {
   constexpr double kUsual = 3, kBegin = 0.9, kEnd = 0.95;
   if (beta <= kBegin) return kUsual;

@@ -60,8 +60,8 @@
 
 namespace pupflow {
 
-/// Coefficients of the goals for a fit and the rotation of its linear part: the mean of the fit, and
-/// T. With beta = 1 any finite `rotation` gives the same bits.
+/// Coefficients of the goals for a fit and the rotation of its linear part: the mean of the fit,
+/// and T. With beta = 1 any finite `rotation` gives the same bits.
 ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, double linear_scale,
                       double beta);
 

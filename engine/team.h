@@ -7,8 +7,8 @@
 
 namespace pupflow {
 
-/// A group of workers that run jobs together, one job after another. The calling thread is worker 0.
-/// The other threads start with the first job that needs them and wait between jobs. A copy is a
+/// A group of workers that run jobs together, one job after another. The calling thread is worker
+/// 0. The other threads start with the first job that needs them and wait between jobs. A copy is a
 /// team of its own, of the same size.
 class Team {
  public:
@@ -23,8 +23,8 @@ class Team {
   int size() const { return size_; }
 
   /// Calls `job(worker)` once for each worker 0 ... workers - 1, at the same time, and returns when
-  /// all are done. If calls throw, one of their exceptions is then thrown here. `workers` is at most
-  /// size().
+  /// all are done. If calls throw, one of their exceptions is then thrown here. `workers` is at
+  /// most size().
   template <class Job>
   void run(int workers, Job&& job) {
     if (workers <= 1) {

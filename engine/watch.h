@@ -4,9 +4,9 @@
 // takes some ten operations and reads none of its points.
 //
 // sunk, outside: the middle is under the floor (z < 0), or further than arena_radius from the axis.
-// A hard landing or a hard hit on the wall does that for a few steps. Therefore it counts only where
-// it lasts: after 50 successive steps, or later if it comes and goes. It never counts if it is so in
-// a quarter of the steps or fewer.
+// A hard landing or a hard hit on the wall does that for a few steps. Therefore it counts only
+// where it lasts: after 50 successive steps, or later if it comes and goes. It never counts if it
+// is so in a quarter of the steps or fewer.
 //
 // hanging: let r be the pup radius. A body that falls from rest by r reaches the speed
 //
@@ -23,8 +23,8 @@
 // 4 r_point, which is twice the distance at which points touch. The list of touching pairs is not
 // used: steps that are not observed do not fill it. Without gravity no pup is reported.
 //
-// gaining_energy: a pup cannot rise above the height for which it has energy. E is the largest
-// g z + v^2 / 2 of a pup at the start, 2 R f the largest work of the drive across the arena, and 1/2
+// gaining_energy: a pup cannot rise above the height for which it has energy. E is the largest g z
+// + v^2 / 2 of a pup at the start, 2 R f the largest work of the drive across the arena, and 1/2
 // the energy from the wall, which pushes with speed 1. The height is
 //
 //   (E + 2 R f + 1/2) / g
@@ -48,8 +48,8 @@ namespace pupflow {
 template <class Real>
 class Watch {
  public:
-  /// Takes the litter as it is as the start. To be called before the first step, and after parameters
-  /// or pups were set from outside. Warnings are kept.
+  /// Takes the litter as it is as the start. To be called before the first step, and after
+  /// parameters or pups were set from outside. Warnings are kept.
   void begin(const Params& params, const State<Real>& state);
 
   /// Looks at the litter after a step with a fine status. Its bounds must be valid.

@@ -24,11 +24,11 @@ struct RunResult {
 /// true, the run ends without a result. Throws InvalidParams.
 std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop);
 
-/// The runs 0 ... count - 1 with the parameters `params_of(run)`, on `threads` threads (at least 1).
-/// `deliver` gets each result when it is ready, one call at a time, in no fixed order. `stop` is
-/// called by all threads at any time. Returns when all runs are done or stopped. After an exception
-/// in any of the three functions, or InvalidParams, all runs end at their next step and the
-/// exception is thrown here.
+/// The runs 0 ... count - 1 with the parameters `params_of(run)`, on `threads` threads (at least
+/// 1). `deliver` gets each result when it is ready, one call at a time, in no fixed order. `stop`
+/// is called by all threads at any time. Returns when all runs are done or stopped. After an
+/// exception in any of the three functions, or InvalidParams, all runs end at their next step and
+/// the exception is thrown here.
 void run_ensemble(std::int64_t count, int threads,
                   const std::function<Params(std::int64_t)>& params_of,
                   const std::function<void(std::int64_t, const RunResult&)>& deliver,

@@ -21,10 +21,10 @@ namespace pupflow {
 /// Wilson 2017, Methods.
 std::vector<Eigen::Vector3d> cube_sphere(int face_points, double radius);
 
-/// The closed surface through the points of `cube_sphere(face_points, ...)`: 12 k^2 - 4 triangles of
-/// point numbers, counter-clockwise seen from outside. A strip of quads (two triangles each) along
-/// each of the cube's twelve edges and one triangle at each of its eight corners join the six k x k
-/// grids. `face_points` >= 2.
+/// The closed surface through the points of `cube_sphere(face_points, ...)`: 12 k^2 - 4 triangles
+/// of point numbers, counter-clockwise seen from outside. A strip of quads (two triangles each)
+/// along each of the cube's twelve edges and one triangle at each of its eight corners join the six
+/// k x k grids. `face_points` >= 2.
 std::vector<std::array<int, 3>> surface_triangles(int face_points);
 
 /// The pups' centres at t = 0, one per pup.
@@ -34,11 +34,11 @@ std::vector<std::array<int, 3>> surface_triangles(int face_points);
 ///   (r_x, r_y, s j + r_pup + r_point),    s = max(1, 2 (r_pup + r_point))
 ///
 /// with r_x and r_y uniform within +-start_spread. The paper's height is r_pup + r_point lower, so
-/// that pup 0 would be under the floor. The paper's spacing is s = 1; with it large pups would start
-/// inside each other.
+/// that pup 0 would be under the floor. The paper's spacing is s = 1; with it large pups would
+/// start inside each other.
 ///
-/// carpet: a hexagonal grid with random displacements over the arena floor, in as few layers as fit,
-/// slightly above rest height.
+/// carpet: a hexagonal grid with random displacements over the arena floor, in as few layers as
+/// fit, slightly above rest height.
 ///
 /// Each pup has a random stream of its own. `params` must be sound (`check`).
 std::vector<Eigen::Vector3d> start_centres(const Params& params);

@@ -1,4 +1,5 @@
-// How far the bodies of a litter overlap: distances of centres, and points of one pup inside another.
+// How far the bodies of a litter overlap: distances of centres, and points of one pup inside
+// another.
 //
 // A point is inside a body when the winding number of the body's closed surface round it is above
 // 1/2 (Jacobson, Kavan & Sorkine-Hornung 2013, Robust inside-outside segmentation using
@@ -48,8 +49,8 @@ class OverlapMeter {
 /// The same for one litter.
 Overlap measure_overlap(const Simulation& simulation);
 
-/// Means over the overlaps of a run. That of `inside_exposed` is weighted by `inside`, so it is a mean
-/// over points.
+/// Means over the overlaps of a run. That of `inside_exposed` is weighted by `inside`, so it is a
+/// mean over points.
 class OverlapMeans {
  public:
   void add(const Overlap& overlap);

@@ -82,8 +82,8 @@ struct Params {
 /// One row of the table.
 struct Parameter {
   enum class Kind { real, integer, choice };
-  /// When a change has its effect. next_step: in the next step. restart: it defines the litter, so a
-  /// new Simulation is needed. run: it belongs to a run, not to the litter.
+  /// When a change has its effect. next_step: in the next step. restart: it defines the litter, so
+  /// a new Simulation is needed. run: it belongs to a run, not to the litter.
   enum class Effect { next_step, restart, run };
 
   std::string_view name;    // as typed: --set name=value
@@ -113,8 +113,8 @@ std::span<const Parameter> parameters();
 /// The row called `name`, or nullptr.
 const Parameter* find_parameter(std::string_view name);
 
-/// `value` as the shortest text that `parse_value` reads back to the same number. For a choice it must
-/// be the number of one of its names.
+/// `value` as the shortest text that `parse_value` reads back to the same number. For a choice it
+/// must be the number of one of its names.
 std::string format_value(const Parameter& parameter, double value);
 inline std::string format_value(const Parameter& parameter, const Params& params) {
   return format_value(parameter, parameter.get(params));
@@ -123,8 +123,8 @@ inline std::string format_value(const Parameter& parameter, const Params& params
 /// The allowed range in words, e.g. "0 ... 1", "> 0", "course or body".
 std::string range_text(const Parameter& parameter);
 
-/// Something wrong with a parameter set: the parameter's name, and one sentence that says what would
-/// be right.
+/// Something wrong with a parameter set: the parameter's name, and one sentence that says what
+/// would be right.
 struct Problem {
   std::string parameter;
   std::string message;
@@ -135,16 +135,16 @@ struct Problem {
 bool parse_value(const Parameter& parameter, std::string_view text, Params& params,
                  Problem& problem);
 
-/// Whether `value` is in the range of `parameter` and whole where it must be. Otherwise `problem` says
-/// what would be right.
+/// Whether `value` is in the range of `parameter` and whole where it must be. Otherwise `problem`
+/// says what would be right.
 bool check_value(const Parameter& parameter, double value, Problem& problem);
 
-/// Everything wrong with `params`: values out of range first, then combinations that are not allowed.
-/// Empty when the set is sound.
+/// Everything wrong with `params`: values out of range first, then combinations that are not
+/// allowed. Empty when the set is sound.
 std::vector<Problem> check(const Params& params);
 
-/// Whether `a` and `b` differ in a parameter of Effect::restart, so that going from one to the other
-/// needs a new litter.
+/// Whether `a` and `b` differ in a parameter of Effect::restart, so that going from one to the
+/// other needs a new litter.
 bool needs_restart(const Params& a, const Params& b);
 
 /// Points per pup, n = 6 k^2.

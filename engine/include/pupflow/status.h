@@ -1,6 +1,6 @@
 // What a step reports: a status, fine or where the numbers went wrong; and warnings of impossible
-// states of a litter whose numbers are all finite. Each kind of warning is reported once, and the run
-// goes on.
+// states of a litter whose numbers are all finite. Each kind of warning is reported once, and the
+// run goes on.
 #pragma once
 
 #include <array>

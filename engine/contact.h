@@ -53,8 +53,8 @@ class Contacts {
   /// the pairs of pups. No sum depends on how many workers there are.
   void find(const Params& params, ContactRecords records, State<Real>& state, Team& team);
 
-  /// Near pairs of pups whose points the last `find` compared. The balls round the others are too
-  /// far apart.
+  /// How many near pairs the last `find` compared point by point. In the other near pairs the balls
+  /// round the pups are too far apart.
   std::int64_t searched_pairs() const;
 
   /// Moves the points of `pup` that have contacts, with `factor` times the displacement (1 except

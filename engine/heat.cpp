@@ -82,6 +82,8 @@ double heat_step(const Params& params, double tb, double exposed, double contact
 
 template <class Real>
 Status heat(const Params& params, bool with_mean, const State<Real>& state, int pup, double& next) {
+  assert(pup >= 0 && pup < state.pups);
+  assert(with_mean || params.contact_conductance == 0 || state.pups == 1);
   const double exposed = state.exposed[pup];
   const double contact_mean = with_mean && exposed < 1 ? mean_touched_temperature(state, pup) : 0;
   next = heat_step(params, state.tb[pup], exposed, contact_mean);

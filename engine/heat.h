@@ -7,10 +7,12 @@
 //
 // With A and T_c held over a step the equation is linear, and heat = exact takes its solution:
 //
-//   k       = k1 A + k2 (1 - A)
+//   k        = k1 A + k2 (1 - A)
 //   T_b(t+h) = T_b + (1 - e^(-k h)) / k  dT_b/dt
 //
-// heat = euler takes T_b(t+h) = T_b + h dT_b/dt.
+// heat = euler takes one forward Euler step:
+//
+//   T_b(t+h) = T_b + h dT_b/dt
 #pragma once
 
 #include "engine/state.h"
@@ -25,7 +27,7 @@ namespace pupflow {
 double heat_step(const Params& params, double tb, double exposed, double contact_mean);
 
 /// T_b of one pup after this step goes to `next`, since all pups change at once. Without
-/// `with_mean` the mean of T_c is not computed; k2 must then be 0, or no pup touch another.
+/// `with_mean` the mean of T_c is not computed; it may be false where k2 = 0 or there is one pup.
 template <class Real>
 Status heat(const Params& params, bool with_mean, const State<Real>& state, int pup, double& next);
 

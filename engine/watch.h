@@ -23,11 +23,13 @@
 // 4 r_point, which is twice the distance at which points touch. The list of touching pairs is not
 // used: steps that are not observed do not fill it. Without gravity no pup is reported.
 //
-// gaining_energy: a pup cannot rise above the height for which it has energy. E is the largest g z
-// + v^2 / 2 of a pup at the start, 2 R f the largest work of the drive across the arena, and 1/2
-// the energy from the wall, which pushes with speed 1. The height is
+// gaining_energy: a pup cannot rise above the height for which it has energy,
 //
 //   (E + 2 R f + 1/2) / g
+//
+//   E     = the largest g z + v^2 / 2 of a pup at the start
+//   2 R f = the largest work of the drive, across the arena
+//   1/2   = the energy from the wall, which pushes with speed 1
 //
 // On top of the others it can be as high as a column of all pups, 2 N (r_pup + r_point). The limit
 // is 3/2 of the larger of the two, since a landing at speed v gains up to h v of height: the floor

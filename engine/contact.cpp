@@ -184,7 +184,7 @@ void Contacts<Real>::find(const Params& params, ContactRecords records, State<Re
   pair_touches_.assign(pairs.size(), {});
   team.run(workers, [&](int worker) {
     Scratch& mine = scratch_[worker];
-    const PupRange share = share_of(static_cast<int>(pairs.size()), worker, workers);
+    const Share share = share_of(static_cast<int>(pairs.size()), worker, workers);
     for (int i = share.begin; i < share.end; ++i) {
       if (!touch_pair(state, pairs[i], mine)) continue;
       pair_touches_[i].first =

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 2> kPrecisionNames{"float", "double"};
 
 using Effect = Parameter::Effect;
 
-/// Allowed values of a number; any finite one unless told.
+/// Allowed values of a number; by default any finite one.
 struct Limits {
   double min = -kInfinity, max = kInfinity;
   bool min_open = false;  // min itself is excluded
@@ -39,8 +39,8 @@ struct Row {
   std::string_view unit = "";
   Limits range = {};
   Slider slider = {};
-  std::span<const std::string_view> choices = {};  // range and slider follow from these
-  std::optional<double> before = {};               // the default unless told
+  std::span<const std::string_view> choices = {};  // the names; they set range and slider
+  std::optional<double> before = {};               // by default that of Params
   Effect effect;
   std::string_view group;
   std::string_view source;

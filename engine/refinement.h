@@ -59,7 +59,8 @@
 //   trace = 2 - alpha
 //   det   = 1
 //
-// So |lambda| = 1, 2 cos(phi) = 2 - alpha, and lambda^s takes kappa = 1 and 2 - a = 2 cos(s phi):
+// So |lambda| = 1 and 2 cos(phi) = 2 - alpha. The refined step keeps kappa = 1 and has the
+// eigenvalues lambda^s where its trace 2 - a is 2 cos(s phi):
 //
 //   a = 2 - 2 cos(s phi)
 //

@@ -1,6 +1,7 @@
 #include "engine/shape_match.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "engine/elementary.h"
@@ -56,6 +57,7 @@ struct ModeRow {
 
 ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, double linear_scale,
                       double beta) {
+  assert(linear_scale > 0);
   ModeMatrix goal = beta * fit;
   // The fitted linear map of rest offsets is linear / linear_scale, the rotation's is R.
   Eigen::Matrix3d map = (beta / linear_scale) * linear_part(fit) + (1 - beta) * rotation;
@@ -97,6 +99,8 @@ template <class Real>
 void pull_to_goals(const Params& params, const StepBody& body, bool quadratic,
                    const Cloud<Real>& cloud, const BodyFit& fit, const ModeMatrix& goal,
                    State<Real>& state, int pup) {
+  assert(pup >= 0 && pup < state.pups);
+  assert(cloud.points == state.points && cloud.stride == state.stride);
   const bool moves = params.integrator == Integrator::predictive;
   const auto alpha = static_cast<Real>(body.alpha);
   const auto drag = static_cast<Real>(params.dt * (1 - body.keep_rest) * (1 - body.alpha));

@@ -13,9 +13,10 @@
 //   R = the proper rotation nearest to the linear part of A
 //   T = beta B + (1 - beta) [R 0 0]
 //
-// The linear part of T is scaled to hold the volume, by
+// The linear part of T is scaled to hold the volume, by the factor
 //
-//   min(|det|^(-1/3), 3)     where near beta = 1 the limit goes down from 3 to 1/beta
+//   min(|det|^(-1/3), limit),    limit = 3       for beta <= 0.9
+//                                limit = 1/beta  for beta >= 0.95, linear in between
 //
 // and the points are pulled towards the goals by the share alpha:
 //
@@ -49,7 +50,7 @@
 //   x(t+h) = p + d
 //   v(t+h) = u + d / h
 //
-// So damping costs one more fit, that of the velocities, and no pass of its own.
+// So damping needs one more fit, that of the velocities, and no pass of its own.
 #pragma once
 
 #include "engine/fit.h"

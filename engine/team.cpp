@@ -91,10 +91,10 @@ void Team::run_together(int workers, void (*call)(void*, int), void* job) {
   threads_->run(workers, call, job);
 }
 
-PupRange share_of(int pups, int worker, int workers) {
-  assert(pups >= 0 && worker >= 0 && worker < workers);
+Share share_of(int count, int worker, int workers) {
+  assert(count >= 0 && worker >= 0 && worker < workers);
   const auto cut = [&](int i) {
-    return static_cast<int>(static_cast<std::int64_t>(pups) * i / workers);
+    return static_cast<int>(static_cast<std::int64_t>(count) * i / workers);
   };
   return {cut(worker), cut(worker + 1)};
 }

@@ -45,13 +45,13 @@ class Team {
   std::unique_ptr<Threads> threads_;  // none before the first job for more than one
 };
 
-/// The pups begin ... end - 1 are one worker's share.
-struct PupRange {
+/// The items begin ... end - 1 of a loop, which one worker does.
+struct Share {
   int begin, end;
 };
 
-/// Share number `worker` of `workers` equal shares of `pups` pups, in order.
-PupRange share_of(int pups, int worker, int workers);
+/// Share number `worker` of `workers` equal shares of `count` items, in order.
+Share share_of(int count, int worker, int workers);
 
 /// How many workers of `team` to use for `pups` pups, at least 1: with few pups, waking another
 /// thread takes longer than the work that it takes over.

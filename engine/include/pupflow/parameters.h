@@ -12,16 +12,17 @@
 
 namespace pupflow {
 
-enum class Heading { course, body };              // which direction a pup steers about
-enum class Start { column, carpet };              // how the litter is laid out at t = 0
-enum class Integrator { predictive, explicit_ };  // goals from x* (Mueller 2005, sec. 3.3) or x(t)
-enum class ContactRule { nearest, mean, sum };    // which touching points move a point (contact.h)
-enum class Refinement { naive, consistent };      // alpha per step, or per 0.01 s (refinement.h)
-enum class HeatRule { exact, euler };      // solution of the linear equation, or one Euler step
-enum class Precision { float_, double_ };  // arithmetic of the point arrays
+// Rules with several readings; docs/model.md has the equations.
+enum class Heading { course, body };  // travel along a state of its own, or the body axis
+enum class Start { column, carpet };  // layout of the litter at t = 0
+enum class Integrator { predictive, explicit_ };  // goals fitted to x* (Mueller 2005) or to x(t)
+enum class ContactRule { nearest, mean, sum };    // which touching lower points move a point
+enum class Refinement { naive, consistent };      // alpha is per step, or per 0.01 s
+enum class HeatRule { exact, euler };             // solution over a step, or one Euler step
+enum class Precision { float_, double_ };         // arithmetic of the point arrays
 
 /// The paper's time step in seconds. Rigidity and contacts act per step, so this step is part of
-/// the model; Refinement::consistent refers to it (refinement.h).
+/// the model. Refinement::consistent refers to it.
 constexpr double kReferenceStep = 0.01;
 
 /// Most points along a face edge (k): clouds of up to 6 k^2 points.

@@ -1,4 +1,4 @@
-// Arrays whose first element sits on a cache line, so that packs never straddle two.
+// Arrays that begin at a cache line, so that no pack lies in two.
 #pragma once
 
 #include <cstddef>

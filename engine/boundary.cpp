@@ -1,7 +1,10 @@
 #include "engine/boundary.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+
+#include "engine/invariants.h"
 
 namespace pupflow {
 namespace {
@@ -29,6 +32,8 @@ void push_from_wall(Real h, std::size_t i, State<Real>& s) {
 
 template <class Real>
 void apply_boundaries(const Params& params, State<Real>& state, int pup) {
+  assert(pup >= 0 && pup < state.pups);
+  assert(is_enclosed(state, pup));
   const auto r = static_cast<Real>(params.point_radius);
   const auto h = static_cast<Real>(params.dt);
   const auto arena = static_cast<Real>(params.arena_radius);
@@ -37,7 +42,7 @@ void apply_boundaries(const Params& params, State<Real>& state, int pup) {
   if (box.low[2] < r) {
     state.kernels->floor(r, state.stride, state.z.data() + row, state.vz.data() + row);
     if (box.centre[2] > r) {
-      box.low[2] = r;  // points came nearer to the centre, so the ball still holds them
+      box.low[2] = r;  // the points moved towards the centre, so the ball still encloses them
     } else {
       update_bounds(state, pup);
     }

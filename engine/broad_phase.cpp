@@ -1,19 +1,23 @@
 #include "engine/broad_phase.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
+
+#include "engine/invariants.h"
 
 namespace pupflow {
 namespace {
 
-constexpr std::size_t kUsualPairs = 32;  // per pup; more only costs an allocation
+constexpr std::size_t kUsualPairs = 32;  // room per pup; with more pairs, memory is allocated
 
 template <class Real>
 bool near_along(const Bounds<Real>& a, const Bounds<Real>& b, int axis, Real margin) {
   return a.low[axis] <= b.high[axis] + margin && b.low[axis] <= a.high[axis] + margin;
 }
 
-/// The axis along which the boxes lie furthest apart; `now` unless another is clearly better.
+/// The axis along which the boxes have the largest variance; `now` unless another has more than
+/// four times its variance.
 template <class Real>
 int longest_axis(const std::vector<Bounds<Real>>& boxes, int now) {
   double spread[3];
@@ -44,7 +48,7 @@ void BroadPhase<Real>::sort_along_axis(const std::vector<Bounds<Real>>& boxes) {
     std::sort(order_.begin(), order_.end(), before);
     return;
   }
-  // Insertion sort: the order is nearly right since the last step.
+  // Insertion sort: the order changes little from step to step.
   for (std::size_t i = 1; i < order_.size(); ++i) {
     const int pup = order_[i];
     std::size_t j = i;
@@ -55,16 +59,14 @@ void BroadPhase<Real>::sort_along_axis(const std::vector<Bounds<Real>>& boxes) {
 
 template <class Real>
 void BroadPhase<Real>::sort_pairs(int pups) {
-  // Into buckets by the first pup, then each bucket, which holds a few neighbours, by the second.
+  // Counting sort by the first pup. Then each pup's few pairs are sorted by the second.
   bucket_.assign(pups + 1, 0);
-  for (const TouchingPair& pair : found_) ++bucket_[pair.first + 1];
+  for (const NearPair& pair : unsorted_) ++bucket_[pair.first + 1];
   std::partial_sum(bucket_.begin(), bucket_.end(), bucket_.begin());
-  pairs_.resize(found_.size());
-  for (const TouchingPair& pair : found_) pairs_[bucket_[pair.first]++] = pair;
-  const auto by_second = [](const TouchingPair& a, const TouchingPair& b) {
-    return a.second < b.second;
-  };
-  int begin = 0;  // bucket_[pup] is now the end of its bucket
+  pairs_.resize(unsorted_.size());
+  for (const NearPair& pair : unsorted_) pairs_[bucket_[pair.first]++] = pair;
+  const auto by_second = [](const NearPair& a, const NearPair& b) { return a.second < b.second; };
+  int begin = 0;  // bucket_[pup] is now the end of the pairs of `pup`
   for (int pup = 0; pup < pups; begin = bucket_[pup++]) {
     if (bucket_[pup] - begin > 1) {
       std::sort(pairs_.begin() + begin, pairs_.begin() + bucket_[pup], by_second);
@@ -73,24 +75,26 @@ void BroadPhase<Real>::sort_pairs(int pups) {
 }
 
 template <class Real>
-const std::vector<TouchingPair>& BroadPhase<Real>::find(const std::vector<Bounds<Real>>& boxes,
-                                                        Real margin) {
+const std::vector<NearPair>& BroadPhase<Real>::near_pairs(const std::vector<Bounds<Real>>& boxes,
+                                                          Real margin) {
+  assert(are_boxes(boxes) && margin >= 0);
   sort_along_axis(boxes);
   const int next = (axis_ + 1) % 3, last = (axis_ + 2) % 3;
-  found_.clear();
-  // Pups have a few neighbours: with this room, later steps of the same litter allocate nothing.
-  found_.reserve(std::min(boxes.size() * boxes.size(), kUsualPairs * boxes.size()));
-  pairs_.reserve(found_.capacity());
+  unsorted_.clear();
+  // A pup has few neighbours: with this room, later steps of the same litter allocate nothing.
+  unsorted_.reserve(std::min(boxes.size() * boxes.size(), kUsualPairs * boxes.size()));
+  pairs_.reserve(unsorted_.capacity());
   for (std::size_t i = 0; i < order_.size(); ++i) {
     const Bounds<Real>& a = boxes[order_[i]];
     for (std::size_t j = i + 1; j < order_.size(); ++j) {
       const Bounds<Real>& b = boxes[order_[j]];
       if (b.low[axis_] > a.high[axis_] + margin) break;
       if (!near_along(a, b, next, margin) || !near_along(a, b, last, margin)) continue;
-      found_.push_back({std::min(order_[i], order_[j]), std::max(order_[i], order_[j])});
+      unsorted_.push_back({std::min(order_[i], order_[j]), std::max(order_[i], order_[j])});
     }
   }
   sort_pairs(static_cast<int>(boxes.size()));
+  assert(are_sorted_pairs(pairs_, static_cast<int>(boxes.size())));
   return pairs_;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/cloud.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "engine/lanes.h"
@@ -8,16 +9,26 @@
 namespace pupflow {
 namespace {
 
-/// The eight deformation modes at one rest offset, not yet scaled.
+/// The mean and the eight deformation modes at one rest offset, not yet scaled.
 std::array<double, kModes> modes_at(const Eigen::Vector3d& q) {
   const double x = q.x(), y = q.y(), z = q.z();
   return {1, x, y, z, x * x - y * y, 2 * z * z - x * x - y * y, x * y, y * z, z * x};
+}
+
+/// Whether the second half of `rest` is the first half through the centre.
+[[maybe_unused]] bool is_mirrored(const std::vector<Eigen::Vector3d>& rest) {
+  const std::size_t half = rest.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    if (rest[half + i] != -rest[i]) return false;
+  }
+  return rest.size() == 2 * half;
 }
 
 }  // namespace
 
 template <class Real>
 Cloud<Real> make_cloud(const std::vector<Eigen::Vector3d>& rest) {
+  assert(!rest.empty() && is_mirrored(rest));
   Cloud<Real> cloud;
   cloud.points = static_cast<int>(rest.size());
   cloud.stride = stride_for<Real>(cloud.points);

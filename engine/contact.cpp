@@ -1,28 +1,30 @@
 #include "engine/contact.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "engine/health.h"
+#include "engine/invariants.h"
 #include "engine/lanes.h"
 #include "engine/point_set.h"
 
 namespace pupflow {
 namespace {
 
-/// A little more than the sum of radii, so that rounding never hides a pair that touches.
+/// radius + reach, plus more than the rounding errors of a comparison with it: no contact is lost.
 template <class Real>
 Real search_radius(Real radius, Real reach) {
   return (radius + reach) * (1 + 32 * std::numeric_limits<Real>::epsilon());
 }
 
-/// `value` plus `margin` and a hair more, however far out it is.
+/// value + margin, moved further in the direction of `margin` by more than its rounding error.
 template <class Real>
 Real widened(Real value, Real margin) {
-  const Real hair = 4 * std::numeric_limits<Real>::epsilon() * std::abs(value);
-  return value + margin + (margin < 0 ? -hair : hair);
+  const Real rounding = 4 * std::numeric_limits<Real>::epsilon() * std::abs(value);
+  return value + margin + (margin < 0 ? -rounding : rounding);
 }
 
 template <class Real>
@@ -36,12 +38,12 @@ bool balls_meet(const Bounds<Real>& a, const Bounds<Real>& b, Real reach) {
 }  // namespace
 
 template <class Real>
-void Contacts<Real>::Side::make_room(int stride) {
+void Contacts<Real>::NearPoints::make_room(int stride) {
   const std::size_t room = stride + kLanes<Real>;
   point.resize(room + kPackBytes / sizeof(int));
   touching.resize(words_for(static_cast<int>(room)));
   numbers.resize(13 * room);
-  // Set anew each time: in a copied simulation they would still point into the original.
+  // Pointers are set each time: in a copied simulation they would still point into the original.
   Real* next = numbers.data();
   const auto take = [&] {
     next += room;
@@ -52,39 +54,40 @@ void Contacts<Real>::Side::make_room(int stride) {
   contacts.touching = touching.data();
   contacts.lower = take();
   contacts.partner = take();
-  for (Real*& row : contacts.push) row = take();
-  for (Real*& row : contacts.pull) row = take();
+  for (Real*& row : contacts.displacement) row = take();
+  for (Real*& row : contacts.velocity) row = take();
   contacts.uppers = take();
 }
 
 template <class Real>
 void Contacts<Real>::make_room(const State<Real>& state, int workers, std::size_t pairs) {
-  workers_.resize(workers);
+  scratch_.resize(workers);
   const std::size_t usual = 2 * state.row(state.pups) / workers;  // few points touch two pups
-  for (Worker& worker : workers_) {
-    worker.first.make_room(state.stride);
-    worker.second.make_room(state.stride);
-    worker.touches.clear();
-    worker.searched = 0;
-    worker.touches.reserve(usual);
-    worker.total.resize(state.points);
-    worker.bits.resize(words_for(state.points));
+  for (Scratch& scratch : scratch_) {
+    scratch.first.make_room(state.stride);
+    scratch.second.make_room(state.stride);
+    scratch.touches.clear();
+    scratch.searched = 0;
+    scratch.touches.reserve(usual);
+    scratch.total.resize(state.points);
+    scratch.bits.resize(words_for(state.points));
   }
-  found_.reserve(pairs);
+  pair_touches_.reserve(pairs);
   ranges_.reserve(2 * pairs);
   ends_.reserve(state.pups + 1);
 }
 
 template <class Real>
-bool Contacts<Real>::touch_pair(const State<Real>& state, TouchingPair pair, Worker& worker) const {
+bool Contacts<Real>::touch_pair(const State<Real>& state, NearPair pair, Scratch& mine) const {
   const Bounds<Real>& a = state.bounds[pair.first];
   const Bounds<Real>& b = state.bounds[pair.second];
   if (!balls_meet(a, b, reach_)) return false;
-  ++worker.searched;
-  // First the points of one pup near the other as a whole, then those of the other near these few.
+  ++mine.searched;
+  // First the points of the first pup that are near the other's bounds, then the points of the
+  // second that are near the box round these.
   const Real margin = search_radius(Real(0), reach_);
   const auto gather = [&](int pup, const Bounds<Real>& ball, const Real low[3], const Real high[3],
-                          Side& side) {
+                          NearPoints& near) {
     const std::size_t row = state.row(pup);
     const Real* xyz[3] = {state.x.data() + row, state.y.data() + row, state.z.data() + row};
     Region<Real> region{{}, search_radius(ball.radius, reach_), {}, {}};
@@ -93,97 +96,101 @@ bool Contacts<Real>::touch_pair(const State<Real>& state, TouchingPair pair, Wor
       region.low[axis] = widened(low[axis], -margin);
       region.high[axis] = widened(high[axis], margin);
     }
-    state.kernels->gather(xyz, state.points, region, side.candidates);
-    return side.candidates.count > 0;
+    state.kernels->gather(xyz, state.points, region, near.candidates);
+    return near.candidates.count > 0;
   };
-  if (!gather(pair.first, b, b.low, b.high, worker.first)) return false;
+  if (!gather(pair.first, b, b.low, b.high, mine.first)) return false;
   Real low[3], high[3];
-  state.kernels->box(worker.first.candidates, low, high);
-  if (!gather(pair.second, a, low, high, worker.second)) return false;
+  state.kernels->box(mine.first.candidates, low, high);
+  if (!gather(pair.second, a, low, high, mine.second)) return false;
   const auto touch =
       rule_ == ContactRule::nearest ? state.kernels->touch_nearest : state.kernels->touch_sums;
-  return touch(worker.first.candidates, worker.second.candidates, reach_, worker.first.contacts,
-               worker.second.contacts);
+  return touch(mine.first.candidates, mine.second.candidates, reach_, mine.first.contacts,
+               mine.second.contacts);
 }
 
-/// The contacts of candidate `i` of `side` with those of `partners`.
+/// The contacts of candidate `i` of `points` with the candidates of `partners`.
 template <class Real>
-auto Contacts<Real>::touch_of(const Side& side, const Side& partners, int i) const -> Touch {
-  const CandidateContacts<Real>& contacts = side.contacts;
+auto Contacts<Real>::touch_of(const NearPoints& points, const NearPoints& partners, int i) const
+    -> Touch {
+  const CandidateContacts<Real>& contacts = points.contacts;
   Touch touch;
   if (rule_ == ContactRule::nearest) {
     touch.lower = contacts.lower[i];
     if (touch.lower < kInfinity) {
       const auto partner = static_cast<int>(contacts.partner[i]);
-      const Candidates<Real>&a = side.candidates, &b = partners.candidates;
+      const Candidates<Real>&a = points.candidates, &b = partners.candidates;
       const Real e[3] = {a.x[i] - b.x[partner], a.y[i] - b.y[partner], a.z[i] - b.z[partner]};
       const Real gap = reach_ - std::sqrt(touch.lower);
       for (int axis = 0; axis < 3; ++axis) {
-        touch.push[axis] = e[axis] * gap;
-        touch.pull[axis] = -e[axis];
+        touch.displacement[axis] = e[axis] * gap;
+        touch.velocity[axis] = -e[axis];
       }
       touch.movers = 1;
     }
   } else {
     for (int axis = 0; axis < 3; ++axis) {
-      touch.push[axis] = contacts.push[axis][i];
-      touch.pull[axis] = contacts.pull[axis][i];
+      touch.displacement[axis] = contacts.displacement[axis][i];
+      touch.velocity[axis] = contacts.velocity[axis][i];
     }
     touch.movers = contacts.uppers[i];
   }
   touch.nearest = contacts.nearest[i];
-  touch.point = side.candidates.point[i];
+  touch.point = points.candidates.point[i];
   return touch;
 }
 
 template <class Real>
-auto Contacts<Real>::record(const Side& side, const Side& partners, int other, int worker,
-                            std::vector<Touch>& touches) const -> Range {
+auto Contacts<Real>::record(const NearPoints& points, const NearPoints& partners, int other,
+                            int worker, std::vector<Touch>& touches) const -> TouchRange {
   const int begin = static_cast<int>(touches.size());
-  for_each_point(side.contacts.touching, words_for(side.candidates.count), [&](int i) {
-    touches.push_back(touch_of(side, partners, i));
+  for_each_point(points.contacts.touching, words_for(points.candidates.count), [&](int i) {
+    touches.push_back(touch_of(points, partners, i));
     touches.back().other = other;
   });
   return {worker, begin, static_cast<int>(touches.size())};
 }
 
 template <class Real>
-void Contacts<Real>::sort_by_pup(const std::vector<TouchingPair>& pairs, State<Real>& state) {
+void Contacts<Real>::sort_by_pup(const std::vector<NearPair>& pairs, State<Real>& state) {
   if (records_.pairs) state.touching.clear();
   ends_.assign(state.pups + 1, 0);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (found_[i].first.begin == found_[i].first.end) continue;
-    if (records_.pairs) state.touching.push_back(pairs[i]);
+    if (pair_touches_[i].first.begin == pair_touches_[i].first.end) continue;
+    if (records_.pairs) state.touching.push_back({pairs[i].first, pairs[i].second});
     ++ends_[pairs[i].first + 1];
     ++ends_[pairs[i].second + 1];
   }
   std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
   ranges_.resize(ends_.back());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (found_[i].first.begin == found_[i].first.end) continue;
-    ranges_[ends_[pairs[i].first]++] = found_[i].first;
-    ranges_[ends_[pairs[i].second]++] = found_[i].second;
+    if (pair_touches_[i].first.begin == pair_touches_[i].first.end) continue;
+    ranges_[ends_[pairs[i].first]++] = pair_touches_[i].first;
+    ranges_[ends_[pairs[i].second]++] = pair_touches_[i].second;
   }
 }
 
 template <class Real>
 void Contacts<Real>::find(const Params& params, ContactRecords records, State<Real>& state,
                           Team& team) {
+  assert(all_enclosed(state));
   rule_ = params.contact;
   records_ = records;
   reach_ = static_cast<Real>(2 * params.point_radius);
-  const std::vector<TouchingPair>& pairs = broad_phase_.find(state.bounds, reach_);
+  const std::vector<NearPair>& pairs = broad_phase_.near_pairs(state.bounds, reach_);
   const int workers = useful_workers(team, state.pups);
   make_room(state, workers, pairs.capacity());
   state.touching.reserve(pairs.capacity());
-  found_.assign(pairs.size(), {});
+  pair_touches_.assign(pairs.size(), {});
   team.run(workers, [&](int worker) {
-    Worker& mine = workers_[worker];
-    const PupRange share = share_of(static_cast<int>(pairs.size()), worker, workers);
+    Scratch& mine = scratch_[worker];
+    const Share share = share_of(static_cast<int>(pairs.size()), worker, workers);
     for (int i = share.begin; i < share.end; ++i) {
       if (!touch_pair(state, pairs[i], mine)) continue;
-      found_[i].first = record(mine.first, mine.second, pairs[i].second, worker, mine.touches);
-      found_[i].second = record(mine.second, mine.first, pairs[i].first, worker, mine.touches);
+      pair_touches_[i].first =
+          record(mine.first, mine.second, pairs[i].second, worker, mine.touches);
+      pair_touches_[i].second =
+          record(mine.second, mine.first, pairs[i].first, worker, mine.touches);
     }
   });
   sort_by_pup(pairs, state);
@@ -192,62 +199,67 @@ void Contacts<Real>::find(const Params& params, ContactRecords records, State<Re
 template <class Real>
 std::int64_t Contacts<Real>::searched_pairs() const {
   std::int64_t sum = 0;
-  for (const Worker& worker : workers_) sum += worker.searched;
+  for (const Scratch& scratch : scratch_) sum += scratch.searched;
   return sum;
 }
 
 template <class Real>
-void Contacts<Real>::add_up(std::span<const Touch> touches, Worker& mine) const {
+void Contacts<Real>::add_up(std::span<const Touch> touches, Scratch& mine) const {
   for (const Touch& touch : touches) {
+    assert(touch.point >= 0 && touch.point < static_cast<int>(mine.total.size()));
     mine.bits[touch.point / 64] |= std::uint64_t{1} << (touch.point % 64);
     Touch& total = mine.total[touch.point];
     if (records_.owners) {
-      // Pairs come in the order of pups, so the first of equal distances is that of the lower pup.
+      // Pairs are sorted, so the first of equal distances is that of the lower pup.
       const bool nearer = touch.nearest < total.nearest;
       total.nearest = nearer ? touch.nearest : total.nearest;
       total.other = nearer ? touch.other : total.other;
     }
     if (rule_ == ContactRule::nearest) {
       if (!(touch.lower < total.lower)) continue;
-      std::copy(touch.push, touch.push + 3, total.push);
-      std::copy(touch.pull, touch.pull + 3, total.pull);
+      std::copy(touch.displacement, touch.displacement + 3, total.displacement);
+      std::copy(touch.velocity, touch.velocity + 3, total.velocity);
       total.lower = touch.lower;
       total.movers = 1;
     } else {
       for (int axis = 0; axis < 3; ++axis) {
-        total.push[axis] += touch.push[axis];
-        total.pull[axis] += touch.pull[axis];
+        total.displacement[axis] += touch.displacement[axis];
+        total.velocity[axis] += touch.velocity[axis];
       }
       total.movers += touch.movers;
     }
   }
 }
 
-/// Moves point `i` as its contacts say. False when that is suspiciously far.
+/// Moves point `i` by its contacts. False when the displacement is `suspect` or more, or not
+/// finite.
 template <class Real>
-bool Contacts<Real>::move_point(const Touch& touch, Real share, Real suspect, std::size_t i,
+bool Contacts<Real>::move_point(const Touch& touch, Real factor, Real suspect, std::size_t i,
                                 State<Real>& state) const {
   const Real mean = 1 / touch.movers;
-  if (rule_ == ContactRule::mean) share *= mean;
-  const Real push[3] = {share * touch.push[0], share * touch.push[1], share * touch.push[2]};
-  state.x[i] += push[0];
-  state.y[i] += push[1];
-  state.z[i] += push[2];
-  state.vx[i] = touch.pull[0] * mean;
-  state.vy[i] = touch.pull[1] * mean;
-  state.vz[i] = touch.pull[2] * mean;
-  return std::abs(push[0]) + std::abs(push[1]) + std::abs(push[2]) < suspect;
+  if (rule_ == ContactRule::mean) factor *= mean;
+  const Real d[3] = {factor * touch.displacement[0], factor * touch.displacement[1],
+                     factor * touch.displacement[2]};
+  state.x[i] += d[0];
+  state.y[i] += d[1];
+  state.z[i] += d[2];
+  state.vx[i] = touch.velocity[0] * mean;
+  state.vy[i] = touch.velocity[1] * mean;
+  state.vz[i] = touch.velocity[2] * mean;
+  return std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]) < suspect;
 }
 
 template <class Real>
-Status Contacts<Real>::apply(const Params& params, double share_of_push, State<Real>& state,
-                             int pup, int worker) {
+Status Contacts<Real>::apply(const Params& params, double factor, State<Real>& state, int pup,
+                             int worker) {
+  assert(pup >= 0 && pup < state.pups && ends_.size() == state.pups + std::size_t{1});
+  assert(worker >= 0 && worker < static_cast<int>(scratch_.size()));
   const auto suspect = static_cast<Real>(kSuspectRadii * params.pup_radius);
-  const auto share = static_cast<Real>(share_of_push);
-  Worker& mine = workers_[worker];
+  const auto real_factor = static_cast<Real>(factor);
+  Scratch& mine = scratch_[worker];
   for (int i = pup == 0 ? 0 : ends_[pup - 1]; i < ends_[pup]; ++i) {
-    const Range& range = ranges_[i];
-    const std::vector<Touch>& touches = workers_[range.worker].touches;
+    const TouchRange& range = ranges_[i];
+    const std::vector<Touch>& touches = scratch_[range.worker].touches;
     add_up({touches.data() + range.begin, touches.data() + range.end}, mine);
   }
   const std::size_t row = state.row(pup);
@@ -259,7 +271,7 @@ Status Contacts<Real>::apply(const Params& params, double share_of_push, State<R
     Touch& touch = mine.total[point];
     ++touching;
     if (records_.owners) touched[point] = touch.other;
-    if (touch.movers > 0) sound &= move_point(touch, share, suspect, row + point, state);
+    if (touch.movers > 0) sound &= move_point(touch, real_factor, suspect, row + point, state);
     touch = Touch{};
   });
   if (records_.exposure) {

@@ -1,6 +1,7 @@
 // The loops of the contact stage: which points are near another pup, and which of them touch.
 // kernels.inl includes this, once per instruction set.
 #include <bit>
+#include <cassert>
 #include <limits>
 
 #include "engine/kernels.h"
@@ -13,6 +14,8 @@ namespace {
 template <class Real>
 void gather(const Real* const xyz[3], int points, const Region<Real>& region,
             Candidates<Real>& out) {
+  assert(points > 0 && region.radius >= 0);
+  assert(out.x != xyz[0] && out.y != xyz[1] && out.z != xyz[2]);
   using P = Pack<Real>;
   P centre[3], low[3], high[3];
   for (int axis = 0; axis < 3; ++axis) {
@@ -40,7 +43,7 @@ void gather(const Real* const xyz[3], int points, const Region<Real>& region,
     count += std::popcount(bits);
   }
   out.count = count;
-  P::broadcast(Real(1e18)).store(out.x + count);  // near nobody, and its square is finite
+  P::broadcast(Real(1e18)).store(out.x + count);  // far from all points; its square is finite
   P::zero().store(out.y + count);
   P::zero().store(out.z + count);
 }
@@ -50,8 +53,9 @@ void box(const Candidates<Real>& candidates, Real low[3], Real high[3]) {
   using P = Pack<Real>;
   const Real* const rows[3] = {candidates.x, candidates.y, candidates.z};
   const int count = candidates.count;
+  assert(count > 0);
   for (int axis = 0; axis < 3; ++axis) {
-    if (count < kLanes<Real>) {  // no whole pack without padding
+    if (count < kLanes<Real>) {  // a pack would include padding
       low[axis] = high[axis] = rows[axis][0];
       for (int i = 1; i < count; ++i) {
         low[axis] = rows[axis][i] < low[axis] ? rows[axis][i] : low[axis];
@@ -91,6 +95,8 @@ template <class Real>
 bool touch_nearest(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
                    const CandidateContacts<Real>& contacts_a,
                    const CandidateContacts<Real>& contacts_b) {
+  assert(a.count > 0 && b.count > 0 && reach >= 0);
+  assert(a.x != b.x && contacts_a.nearest != contacts_b.nearest);
   using P = Pack<Real>;
   constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
   const P zero = P::zero(), infinity = P::broadcast(kInfinity), limit = P::broadcast(reach * reach),
@@ -144,8 +150,9 @@ PUPFLOW_INLINE inline void add(Real* to, const Pack<Real>& value) {
 
 template <class Real>
 void clear_sums(const CandidateContacts<Real>& contacts, int count) {
-  for (Real* const row : {contacts.push[0], contacts.push[1], contacts.push[2], contacts.pull[0],
-                          contacts.pull[1], contacts.pull[2], contacts.uppers}) {
+  for (Real* const row : {contacts.displacement[0], contacts.displacement[1],
+                          contacts.displacement[2], contacts.velocity[0], contacts.velocity[1],
+                          contacts.velocity[2], contacts.uppers}) {
     fill(Real(0), count, row);
   }
   fill(std::numeric_limits<Real>::infinity(), count, contacts.nearest);
@@ -155,6 +162,8 @@ template <class Real>
 bool touch_sums(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
                 const CandidateContacts<Real>& contacts_a,
                 const CandidateContacts<Real>& contacts_b) {
+  assert(a.count > 0 && b.count > 0 && reach >= 0);
+  assert(a.x != b.x && contacts_a.nearest != contacts_b.nearest);
   using P = Pack<Real>;
   const P zero = P::zero(), one = P::broadcast(1), range = P::broadcast(reach);
   const P limit = P::broadcast(reach * reach),
@@ -167,14 +176,15 @@ bool touch_sums(const Candidates<Real>& a, const Candidates<Real>& b, Real reach
   bool any = false;
   for (int i = 0; i < a.count; ++i) {
     const P x = P::broadcast(a.x[i]), y = P::broadcast(a.y[i]), z = P::broadcast(a.z[i]);
-    P push[3] = {zero, zero, zero}, pull[3] = {zero, zero, zero}, uppers = zero, nearest = infinity;
+    P displacement[3] = {zero, zero, zero}, velocity[3] = {zero, zero, zero}, uppers = zero,
+      nearest = infinity;
     bool hit = false;
     for (int j = 0; j < count_b; j += kLanes<Real>) {
       const P e[3] = {x - P::load(bx + j), y - P::load(by + j), z - P::load(bz + j)};
       const P d_squared = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
       if (less_bits(d_squared, limit) == 0) continue;
       hit = true;
-      // Where they touch, either a or b is the upper one; the other's share is zero.
+      // In a contact either a or b is the upper one. The terms of the lower one are zero.
       const P gap = select_less(d_squared, limit, range - sqrt(d_squared), zero);
       const P touches = select_less(d_squared, limit, one, zero);
       const P gap_b = select_less(e[2], zero, gap, zero),
@@ -182,10 +192,10 @@ bool touch_sums(const Candidates<Real>& a, const Candidates<Real>& b, Real reach
       const P gap_a = gap - gap_b, upper_a = touches - upper_b;
       const P near = select_less(d_squared, limit, d_squared, infinity);
       PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) {
-        push[axis] += e[axis] * gap_a;
-        pull[axis] += e[axis] * upper_a;
-        add(to_b.push[axis] + j, zero - e[axis] * gap_b);
-        add(to_b.pull[axis] + j, e[axis] * upper_b);
+        displacement[axis] += e[axis] * gap_a;
+        velocity[axis] += e[axis] * upper_a;
+        add(to_b.displacement[axis] + j, zero - e[axis] * gap_b);
+        add(to_b.velocity[axis] + j, e[axis] * upper_b);
       }
       uppers += upper_a;
       add(to_b.uppers + j, upper_b);
@@ -195,8 +205,8 @@ bool touch_sums(const Candidates<Real>& a, const Candidates<Real>& b, Real reach
     if (!hit) continue;
     any = true;
     PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) {
-      contacts_a.push[axis][i] = push[axis].sum();
-      contacts_a.pull[axis][i] = -pull[axis].sum();
+      contacts_a.displacement[axis][i] = displacement[axis].sum();
+      contacts_a.velocity[axis][i] = -velocity[axis].sum();
     }
     contacts_a.uppers[i] = uppers.sum();
     contacts_a.nearest[i] = nearest.least();

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -97,7 +98,11 @@ double expm1_fixed(double x) {
 }
 
 double log_fixed(double x) {
-  // x = m 2^n with m within a factor sqrt(2) of 1; ln m = 2 artanh((m - 1) / (m + 1)).
+  assert(std::isnormal(x) && x > 0);
+  // With x = m 2^n, 1/sqrt(2) <= m < sqrt(2):
+  //
+  //   ln x = n ln 2 + ln m
+  //   ln m = 2 artanh(t),    t = (m - 1) / (m + 1)
   constexpr std::uint64_t kOneOverRoot2 = 0x3fe6a09e667f3bcd;
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
   const auto n = static_cast<std::int64_t>(bits - kOneOverRoot2) >> 52;
@@ -129,6 +134,7 @@ double atan2_fixed(double y, double x) {
 }
 
 SinCos sincos_fixed(double radians) {
+  assert(std::abs(radians) <= 1000);
   const double n = std::nearbyint(radians * (2 / kPi));
   const double t = (radians - n * kHalfPiHigh) - n * kHalfPiLow;
   const double s = t * horner(kSin, t * t);
@@ -146,13 +152,18 @@ SinCos sincos_fixed(double radians) {
 }
 
 double wrap_angle(double radians) {
+  assert(std::isfinite(radians));
   if (std::abs(radians) <= kPi && radians != -kPi) return radians;
   const double wrapped = std::remainder(radians, 2 * kPi);  // exact, by IEEE 754
   return wrapped <= -kPi ? kPi : wrapped;
 }
 
 double inverse_cbrt_fixed(double x) {
-  // A third of the exponent from the bits, then Newton's method on 1/y^3 - x = 0.
+  assert(x >= std::numeric_limits<double>::min());
+  // The first guess has the right exponent: -1/3 of that of x, taken from the bits. Newton's method
+  // on 1/y^3 - x = 0 is then
+  //
+  //   y <- y + y (1 - x y^3) / 3
   double y = std::bit_cast<double>(0x553ef0ff289dd796u - std::bit_cast<std::uint64_t>(x) / 3);
   for (int i = 0; i < 4; ++i) y += y * (1 - x * y * y * y) * (1.0 / 3);
   return y;

@@ -13,7 +13,7 @@ double exp_fixed(double x);
 /// e^x - 1, accurate near 0 too.
 double expm1_fixed(double x);
 
-/// ln x for normal x > 0.
+/// ln x for finite, normal x > 0.
 double log_fixed(double x);
 
 /// arctan x in (-pi/2, pi/2); infinite arguments give the limits.
@@ -26,13 +26,13 @@ struct SinCos {
   double sin, cos;
 };
 
-/// Sine and cosine of an angle within +-1000.
+/// Sine and cosine of an angle in radians, |radians| <= 1000.
 SinCos sincos_fixed(double radians);
 
-/// The same direction within (-pi, pi]; finite input.
+/// The same direction as an angle in (-pi, pi]. `radians` must be finite.
 double wrap_angle(double radians);
 
-/// x^(-1/3) for normal x > 0.
+/// x^(-1/3) for finite, normal x > 0. Some number where x is infinite.
 double inverse_cbrt_fixed(double x);
 
 }  // namespace pupflow

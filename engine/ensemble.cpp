@@ -15,8 +15,8 @@ namespace pupflow {
 std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop) {
   Simulation simulation(params);
   RunMeans means(params.discard);
-  // Flow compares with the state flow_lag steps before, so watching begins that much before the
-  // means.
+  // Flow compares with the state flow_lag steps before, so the observer begins that many steps
+  // before the means.
   const std::int64_t first = std::max<std::int64_t>(params.discard - params.flow_lag, 0);
   simulation.set_observed({});
   std::optional<Observer> observer;
@@ -67,8 +67,8 @@ void run_ensemble(std::int64_t count, int threads,
 }
 
 std::int64_t run_seed(std::int64_t base_seed, std::int64_t run) {
-  // An odd factor is a bijection modulo 2^31, so no two runs of a sweep share a seed. Such a seed
-  // is short to type and fits what other programs take for one.
+  // Multiplication by an odd factor is a bijection modulo 2^31, so no two runs of a sweep have the
+  // same seed. 31 bits are short to type, and other programs accept them as a seed.
   constexpr std::uint64_t kSeedMask = (std::uint64_t{1} << 31) - 1, kOdd = 0x9e3779b97f4a7c15u;
   const std::uint64_t start = mix_bits(static_cast<std::uint64_t>(base_seed));
   return static_cast<std::int64_t>((start + static_cast<std::uint64_t>(run) * kOdd) & kSeedMask);

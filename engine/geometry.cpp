@@ -1,5 +1,6 @@
 #include "pupflow/geometry.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace pupflow {
@@ -15,6 +16,7 @@ Eigen::Vector3d cube_to_sphere(double x, double y, double z) {
 }  // namespace
 
 std::vector<Eigen::Vector3d> cube_sphere(int face_points, double radius) {
+  assert(face_points >= 1 && radius > 0);
   std::vector<Eigen::Vector3d> points;
   points.reserve(static_cast<std::size_t>(6) * face_points * face_points);
   const auto grid = [&](int i) { return (2 * i + 1.0) / face_points - 1; };
@@ -35,6 +37,7 @@ std::vector<Eigen::Vector3d> cube_sphere(int face_points, double radius) {
 }
 
 std::vector<std::array<int, 3>> surface_triangles(int face_points) {
+  assert(face_points >= 2);
   const int k = face_points, last = k - 1;
   std::vector<std::array<int, 3>> triangles;
   triangles.reserve(static_cast<std::size_t>(12) * k * k - 4);

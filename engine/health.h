@@ -1,4 +1,4 @@
-// Finding out where numbers went wrong, once something looks wrong.
+// Where numbers became infinite, NaN or far too large.
 #pragma once
 
 #include "engine/state.h"
@@ -10,12 +10,13 @@ namespace pupflow {
 /// A point further than this many pup radii from its pup's centre has diverged.
 constexpr double kDivergedRadii = 100;
 
-/// A displacement or extent of a pup beyond this many pup radii is worth an inspection: a point can
-/// only have diverged when its pup's box is longer than kDivergedRadii / sqrt(3).
+/// A pup is inspected point by point when it was displaced, or its box is longer, than this many
+/// pup radii. None is missed: a point can only have diverged when a side of its pup's box is longer
+/// than kDivergedRadii / sqrt(3) pup radii.
 constexpr double kSuspectRadii = 50;
 
-/// The first point of `pup` whose position or velocity is not finite. Fine when there is none.
-/// `stage` goes into the status, with the step that is under way.
+/// The first point of `pup` whose position or velocity is not finite. Fine when there is none. The
+/// status names `stage` and the step that is being taken.
 template <class Real>
 Status find_non_finite(const State<Real>& state, int pup, Stage stage);
 
@@ -24,10 +25,11 @@ Status find_non_finite(const State<Real>& state, int pup, Stage stage);
 template <class Real>
 Status inspect_pup(const State<Real>& state, int pup, double pup_radius, Stage stage);
 
-/// What is wrong with a pup after its last motion in a step; makes its bounds true. Costs no more
-/// than the bounds as long as they look right. A pup all of whose points are further than
+/// What is wrong with a pup after its last motion in a step. Updates its bounds, and inspects its
+/// points only where the bounds are suspect. A pup all of whose points are further than
 /// kDivergedRadii pup radii beyond the wall has escaped: the wall halves a velocity and adds 1/2
-/// inwards, so a drive above 2 / (3 h) outruns it, and the litter would seem fine for ever.
+/// inwards, so a drive above 2 / (3 h) is stronger than the wall, and without this check the status
+/// would stay fine.
 template <class Real>
 Status check_motion(const Params& params, State<Real>& state, int pup, Stage stage);
 

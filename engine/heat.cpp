@@ -1,6 +1,7 @@
 #include "engine/heat.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "engine/elementary.h"
@@ -9,7 +10,7 @@
 namespace pupflow {
 namespace {
 
-/// Mean temperature of those whom the points of `pup` touch; 0 when it touches nobody.
+/// Mean temperature of the pups that the points of `pup` touch; 0 without contact.
 template <class Real>
 double mean_touched_temperature(const State<Real>& state, int pup) {
   const int* touched = state.touched.data() + state.flat(pup);
@@ -18,6 +19,7 @@ double mean_touched_temperature(const State<Real>& state, int pup) {
     double sum = 0;
     int count = 0;
     for_each_point(touching, words_for(state.points), [&](int i) {
+      assert(i < state.points && touched[i] >= 0 && touched[i] < state.pups && touched[i] != pup);
       sum += unit * state.tb[touched[i]];
       ++count;
     });
@@ -27,9 +29,14 @@ double mean_touched_temperature(const State<Real>& state, int pup) {
   return std::isfinite(plain) ? plain : mean(kSumUnit);
 }
 
-/// T_b after one step as a mean of T_b, T_a and T_c plus what G adds. For rates that overflow, and
-/// for a T_b that decays by more than a factor of e: the rounding of a large T_b can then be larger
-/// than what the step leads to.
+/// T_b after one step as a weighted mean of T_b, T_a and T_c plus the part of G:
+///
+///   k        = k1 A + k2 (1 - A)
+///   T_b(t+h) = e^(-k h) T_b + (1 - e^(-k h)) (k1 A T_a + k2 (1 - A) T_c + G) / k
+///
+/// With heat = euler, 1 - k h is in place of e^(-k h). For rates that overflow, and for a T_b that
+/// decays by more than a factor of e: the rounding error of a large T_b can then be larger than the
+/// result.
 double mean_after_step(const Params& params, double tb, double to_air, double to_others,
                        double contact_mean) {
   const double conductance = to_air + to_others, decay = conductance * params.dt;
@@ -44,8 +51,8 @@ double mean_after_step(const Params& params, double tb, double to_air, double to
   return sum / kSumUnit;
 }
 
-/// Whether forward Euler has left its region, k h > 2, where each step overshoots equilibrium by
-/// more than the step before, and has got out of all proportion by it.
+/// Whether forward Euler is unstable, k h > 2, so that each step overshoots equilibrium by more
+/// than the step before, and the change of T_b in this step is out of all proportion.
 bool euler_diverged(const Params& params, double exposed, double change) {
   constexpr double kProportion = 100;
   const double k = params.air_conductance * exposed + params.contact_conductance * (1 - exposed);
@@ -60,8 +67,8 @@ bool euler_diverged(const Params& params, double exposed, double change) {
 double heat_step(const Params& params, double tb, double exposed, double contact_mean) {
   const double to_air = params.air_conductance * exposed;
   const double to_others = exposed < 1 ? params.contact_conductance * (1 - exposed) : 0;
-  // Differences first: terms of huge opposite temperatures then do not cancel. What conducts
-  // nothing exchanges nothing, even where a difference overflows.
+  // Differences come first: large opposite temperatures then do not cancel. A conductance of 0
+  // exchanges nothing, even where the difference overflows.
   const double loss_to_air = to_air > 0 ? to_air * (tb - params.ambient_temperature) : 0;
   const double loss_to_others = to_others > 0 ? to_others * (tb - contact_mean) : 0;
   const double rate = params.thermogenesis - loss_to_air - loss_to_others;
@@ -75,6 +82,8 @@ double heat_step(const Params& params, double tb, double exposed, double contact
 
 template <class Real>
 Status heat(const Params& params, bool with_mean, const State<Real>& state, int pup, double& next) {
+  assert(pup >= 0 && pup < state.pups);
+  assert(with_mean || params.contact_conductance == 0 || state.pups == 1);
   const double exposed = state.exposed[pup];
   const double contact_mean = with_mean && exposed < 1 ? mean_touched_temperature(state, pup) : 0;
   next = heat_step(params, state.tb[pup], exposed, contact_mean);

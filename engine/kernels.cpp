@@ -1,6 +1,8 @@
 #include "engine/kernels.h"
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <type_traits>
 
 namespace pupflow {
@@ -33,15 +35,15 @@ Supported find_supported() {
   return supported;
 }
 
-/// The table that fits the precision.
+/// The table for the precision Real.
 template <class Real>
-const Kernels<Real>& pick(const Kernels<float>& narrow, const Kernels<double>& wide) {
+const Kernels<Real>& pick(const Kernels<float>& for_float, const Kernels<double>& for_double) {
   if constexpr (std::is_same_v<Real, float>) {
-    static_cast<void>(wide);
-    return narrow;
+    static_cast<void>(for_double);
+    return for_float;
   } else {
-    static_cast<void>(narrow);
-    return wide;
+    static_cast<void>(for_float);
+    return for_double;
   }
 }
 
@@ -66,6 +68,7 @@ std::span<const InstructionSet> supported_instruction_sets() {
 
 template <class Real>
 const Kernels<Real>& kernels_for(InstructionSet set) {
+  assert(std::ranges::count(supported_instruction_sets(), set) == 1);
 #if defined(PUPFLOW_X86_KERNELS)
   if (set == InstructionSet::avx2) return pick<Real>(k_avx2_float, k_avx2_double);
   if (set == InstructionSet::avx512) return pick<Real>(k_avx512_float, k_avx512_double);

@@ -1,5 +1,7 @@
 // Bodies of the kernels. Each kernels_*.cpp includes this once, compiled for its instruction set,
 // after defining PUPFLOW_KERNELS as the name of its table.
+#include <cassert>
+
 #include "engine/contact_kernels.inl"
 #include "engine/kernels.h"
 #include "engine/modes.h"
@@ -12,6 +14,7 @@ namespace {
 template <class Real>
 bool bounds(const Real* const xyz[3], int points, Real low[3], Real high[3], Real centre[3],
             Real* radius) {
+  assert(points > 0);
   using P = Pack<Real>;
   P stays_zero = P::zero();  // x - x is NaN for infinite and NaN
   for (int axis = 0; axis < 3; ++axis) {
@@ -39,6 +42,7 @@ bool bounds(const Real* const xyz[3], int points, Real low[3], Real high[3], Rea
 
 template <class Real>
 void floor(Real r, int stride, Real* z, Real* vz) {
+  assert(stride % kLanes<Real> == 0 && z != vz);
   using P = Pack<Real>;
   const P height = P::broadcast(r), zero = P::zero();
   for (int i = 0; i < stride; i += kLanes<Real>) {
@@ -52,6 +56,7 @@ void floor(Real r, int stride, Real* z, Real* vz) {
 
 template <class Real>
 void predict(Real h, Real gain, int points, Real* x, Real* v) {
+  assert(points > 0 && x != v);
   using P = Pack<Real>;
   const P step = P::broadcast(h), more = P::broadcast(gain);
   for_packs<Real>(points, [&](int i, auto whole) PUPFLOW_INLINE {
@@ -62,11 +67,10 @@ void predict(Real h, Real gain, int points, Real* x, Real* v) {
   });
 }
 
-/// Sums of modes `rows[0]` ... times position. Points come in pairs: number half + i mirrors number
-/// i (cloud.h), so one pass over the first half and, at the same places, the second will do. Even
-/// modes have the same value at mirrored points, so they see the sum of both; odd ones have
-/// opposite values and see the difference. Several modes at a time share the loads; how many does
-/// not change a bit of any sum.
+/// Sums of the `Count` modes `rows` times position. Point half + i mirrors point i (cloud.h), so
+/// one pass over the first half reads both. Even modes have the same value at mirrored points and
+/// take the sum of both; odd modes have opposite values and take the difference. Several modes at a
+/// time share the loads. Their number changes no bit of any sum.
 template <int Count, bool Odd, class Real>
 void fit_some(const Real* const* rows, int half, const Real* const xyz[3], Real* const* sums) {
   using P = Pack<Real>;
@@ -106,6 +110,8 @@ void fit_parity(const Real* const* rows, int count, int half, const Real* const 
 template <class Real>
 void fit(const Real* modes, int count, int points, int stride, const Real* const xyz[3],
          Real sums[][3]) {
+  assert(count == mode_count(false) || count == mode_count(true));
+  assert(points > 0 && points % 2 == 0 && stride >= stride_for<Real>(points));
   const Real* row[kModes];
   for (int m = 0; m < count; ++m) row[m] = modes + m * stride;
   const int half = points / 2;
@@ -122,11 +128,12 @@ void fit(const Real* modes, int count, int points, int stride, const Real* const
   fit_parity<false>(even, evens, half, xyz, even_sums);
 }
 
-/// Calls `draw(target, at, lanes)` for the packs of all points, `target` being the sum of goal[m]
-/// mode[m] there. `lanes(value, other)` has the lanes of `value` that are points.
-template <int Count, class Real, class Draw>
+/// Calls `visit(target, at, lanes)` for the packs of all points, the first at index `at`. `target`
+/// is the sum of goal[m] mode_m there. `lanes(value, other)` has `value` in the lanes that are
+/// points.
+template <int Count, class Real, class Visit>
 PUPFLOW_INLINE inline void for_goals(const Real* modes, int half, int stride, const Real* goal,
-                                     Draw draw) {
+                                     Visit visit) {
   using P = Pack<Real>;
   const P centre = P::broadcast(goal[kMeanMode]);
   for_packs<Real>(half, [&](int i, auto whole) PUPFLOW_INLINE {
@@ -140,8 +147,8 @@ PUPFLOW_INLINE inline void for_goals(const Real* modes, int half, int stride, co
     const auto lanes = [&](const P& value, const P& other) PUPFLOW_INLINE {
       return whole ? value : first_lanes(half - i, value, other);
     };
-    draw(even + odd, i, lanes);
-    draw(even - odd, half + i, lanes);
+    visit(even + odd, i, lanes);
+    visit(even - odd, half + i, lanes);
   });
 }
 
@@ -163,6 +170,8 @@ void pull_some(const Real* modes, int half, int stride, const Real* goal, Real p
 template <class Real>
 void pull(const Real* modes, int count, int points, int stride, const Real* goal,
           Real position_share, Real velocity_share, Real* x, Real* v) {
+  assert(count == mode_count(false) || count == mode_count(true));
+  assert(points > 0 && points % 2 == 0 && stride >= stride_for<Real>(points) && x != v);
   const auto some =
       count == 1 + kLinearModes ? pull_some<1 + kLinearModes, Real> : pull_some<kModes, Real>;
   some(modes, points / 2, stride, goal, position_share, velocity_share, x, v);
@@ -186,6 +195,8 @@ void pull_damped_some(const Real* modes, int half, int stride, const Real* goal,
 template <class Real>
 void pull_damped(const Real* modes, int count, int points, int stride, const Real* goal,
                  Real stiffness, Real drag, Real rate, Real* x, Real* v) {
+  assert(count == mode_count(false) || count == mode_count(true));
+  assert(points > 0 && points % 2 == 0 && stride >= stride_for<Real>(points) && x != v);
   const auto some = count == 1 + kLinearModes ? pull_damped_some<1 + kLinearModes, Real>
                                               : pull_damped_some<kModes, Real>;
   some(modes, points / 2, stride, goal, stiffness, drag, rate, x, v);
@@ -193,6 +204,7 @@ void pull_damped(const Real* modes, int count, int points, int stride, const Rea
 
 template <class Real>
 Real dot(const Real* a, const Real* b, int stride) {
+  assert(stride % kLanes<Real> == 0);
   using P = Pack<Real>;
   P sum = P::zero();
   for (int i = 0; i < stride; i += kLanes<Real>) sum += P::load(a + i) * P::load(b + i);
@@ -202,6 +214,7 @@ Real dot(const Real* a, const Real* b, int stride) {
 template <class Real>
 void left(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosine, Real sine,
           std::uint64_t* words) {
+  assert(points > 0);
   using P = Pack<Real>;
   const P px = P::broadcast(cx), py = P::broadcast(cy), c = P::broadcast(cosine),
           s = P::broadcast(sine);
@@ -213,7 +226,7 @@ void left(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosin
 }
 
 template <class Real>
-constexpr Kernels<Real> kTable{
+constexpr Kernels<Real> kKernels{
     bounds<Real>, floor<Real>, predict<Real>, fit<Real>, pull<Real>,          pull_damped<Real>,
     dot<Real>,    left<Real>,  gather<Real>,  box<Real>, touch_nearest<Real>, touch_sums<Real>};
 
@@ -221,7 +234,7 @@ constexpr Kernels<Real> kTable{
 
 extern const Kernels<float> PUPFLOW_KERNELS(float);
 extern const Kernels<double> PUPFLOW_KERNELS(double);
-const Kernels<float> PUPFLOW_KERNELS(float) = kTable<float>;
-const Kernels<double> PUPFLOW_KERNELS(double) = kTable<double>;
+const Kernels<float> PUPFLOW_KERNELS(float) = kKernels<float>;
+const Kernels<double> PUPFLOW_KERNELS(double) = kKernels<double>;
 
 }  // namespace pupflow

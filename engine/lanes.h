@@ -1,6 +1,6 @@
-// Packs: point arrays are padded to whole bundles of 64 bytes, whatever the instruction set.
-// Kernels add up in the lanes of packs and fold them in one fixed order, so the same bits come out
-// of SSE2, AVX2, AVX-512 or NEON.
+// Packs: point arrays are padded to whole packs of 64 bytes, whatever the instruction set. Kernels
+// sum in the lanes of packs and then add the lanes in one fixed order, so SSE2, AVX2, AVX-512 and
+// NEON give the same bits.
 #pragma once
 
 namespace pupflow {
@@ -17,8 +17,8 @@ constexpr int padded(int count) {
   return (count + kLanes<Real> - 1) / kLanes<Real> * kLanes<Real>;
 }
 
-/// Room for `points` points, in whole packs, also when they are counted from the middle: the second
-/// half of a cloud mirrors the first.
+/// Numbers per array, in whole packs, for `points` points. The kernels also read packs that begin
+/// at the middle, since the second half of a cloud mirrors the first. They fit, too.
 template <class Real>
 constexpr int stride_for(int points) {
   const int half = points / 2, mirrored = half + padded<Real>(half);

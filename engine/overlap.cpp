@@ -29,9 +29,9 @@ std::vector<double> nearest_distances(const std::vector<Eigen::Vector3d>& centre
   return nearest;
 }
 
-/// +1, 0 or -1: how the edge from `a` to `b`, seen along z, takes part in the winding round `p`. It
-/// counts when it crosses the line y = p.y at a larger x than p. Both directions of an edge are
-/// decided by the same numbers, so the two triangles beside it always agree.
+/// The part of the edge from `a` to `b`, seen along z, in the winding round `p`: +-1 where it
+/// crosses the line y = p.y at a larger x than p, else 0. For both directions of an edge the same
+/// numbers are compared, so the two triangles beside it always agree.
 int edge_crossing(const double* a, const double* b, const double* p) {
   const bool upward = a[1] <= p[1];
   if (upward == (b[1] <= p[1])) return 0;
@@ -50,7 +50,7 @@ double volume(const double* a, const double* b, const double* c, const double* p
 
 }  // namespace
 
-/// What a meter keeps from one litter to the next.
+/// The measurement and its memory.
 class OverlapMeter::Memory {
  public:
   Overlap measure(const LitterView& litter);
@@ -64,13 +64,13 @@ class OverlapMeter::Memory {
     std::vector<int> next;      // while filling: the place for a slab's next triangle
   };
   struct Directed {
-    int body, pup;  // points of `pup` may be inside `body`
+    int body, pup;  // whose boxes overlap: points of `pup` may be inside `body`
   };
 
   const double* points_of(int pup) const;
   void fill_slabs(int body);
   int slab_at(double y) const;
-  // Both need `fill_slabs(body)` before.
+  // Both need `fill_slabs(body)` before them.
   int winding_number(int body, const double* point) const;
   void find_inside(int pup, int body);
 
@@ -163,7 +163,7 @@ Overlap OverlapMeter::Memory::measure(const LitterView& litter) {
   }
 
   directed_.clear();
-  for (const auto& [first, second] : broad_phase_.find(bounds_, 0)) {
+  for (const auto& [first, second] : broad_phase_.near_pairs(bounds_, 0)) {
     directed_.push_back({first, second});
     directed_.push_back({second, first});
   }

@@ -1,6 +1,6 @@
-// A pack of numbers in registers. Only the kernels include this, once per instruction set:
-// everything here has internal linkage, so that no copy compiled for one processor is ever run on
-// another.
+// A pack of numbers in registers. Only the kernels include this, once per instruction set.
+// Everything here has internal linkage, so that the linker never uses code of one instruction set
+// for another.
 #pragma once
 
 #include <bit>
@@ -14,14 +14,14 @@
 namespace pupflow {
 namespace {
 
-// Parts of a pack stay in registers only when loops over them are unrolled early.
+// Compilers keep the parts of a pack in registers only where loops over them are unrolled early.
 #if defined(__clang__)
 #define PUPFLOW_UNROLL _Pragma("unroll")
 #else
 #define PUPFLOW_UNROLL _Pragma("GCC unroll 16")
 #endif
 
-// Packs live in registers, so what handles them must not become a call.
+// A call would move packs from registers to memory, so functions of packs are always inlined.
 #define PUPFLOW_INLINE __attribute__((always_inline))
 
 #if defined(__AVX512F__)
@@ -41,8 +41,7 @@ PUPFLOW_INLINE inline Real root(Real value) {
   }
 }
 
-/// A native vector register. The wider pack is an array of these, which compilers keep in
-/// registers.
+/// A native vector register. A pack is an array of these.
 template <class Real>
 struct NativeVector;
 template <>
@@ -130,7 +129,7 @@ struct Pack {
     return bits;
   }
 
-  /// Sum, least and greatest of the lanes; halves are folded onto each other, one defined order.
+  /// Sum, least and greatest of the lanes, in one defined order (fold).
   PUPFLOW_INLINE Real sum() const {
     return fold([](auto a, auto b) { return a + b; });
   }
@@ -147,7 +146,7 @@ struct Pack {
   }
 
  private:
-  /// Lane i of the upper half goes onto lane i of the lower half until one lane is left.
+  /// Joins lane i of the lower half with lane i of the upper half, until one lane is left.
   template <class Operation>
   PUPFLOW_INLINE Real fold(Operation operation) const {
     Pack p = *this;
@@ -242,8 +241,8 @@ struct Pack {
   }
 };
 
-/// Writes the lanes of `from` whose bits are set side by side to `to`; up to a whole pack of what
-/// lies there may be overwritten.
+/// Writes the lanes of `from` whose bits are set to `to`, without gaps. A whole pack at `to` may be
+/// overwritten.
 template <class Real>
 PUPFLOW_INLINE inline void compress(const Real* from, std::uint32_t bits, Real* to) {
 #if defined(__AVX512F__)
@@ -259,8 +258,8 @@ PUPFLOW_INLINE inline void compress(const Real* from, std::uint32_t bits, Real* 
 #endif
 }
 
-/// Writes `first` + i for each set bit i of `bits`, of which 16 count, side by side to `to`; up to
-/// 64 bytes of what lies there may be overwritten.
+/// Writes `first` + i for each set bit i < 16 of `bits` to `to`, without gaps. 64 bytes at `to` may
+/// be overwritten.
 PUPFLOW_INLINE inline void compress_index(int first, std::uint32_t bits, int* to) {
 #if defined(__AVX512F__)
   const __m512i ramp = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);

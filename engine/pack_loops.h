@@ -1,6 +1,7 @@
-// Loops over arrays in packs, and sets of lanes. Like pack.h for the kernels alone.
+// Loops over arrays in packs, and sets of lanes. Only the kernels include this, as pack.h.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <type_traits>
 
@@ -9,9 +10,9 @@
 namespace pupflow {
 namespace {
 
-/// Calls `visit(i)` with the beginning of each pack of the first `points` points. The last pack
-/// reaches back over the one before it, so that padding stays out; only clouds smaller than a pack
-/// bring theirs.
+/// Calls `visit(i)` with the beginning i of each pack of the first `points` points. The last pack
+/// overlaps the one before it, so that it contains no padding. Only a cloud smaller than a pack is
+/// visited with its padding.
 template <class Real, class Visit>
 PUPFLOW_INLINE inline void for_whole_packs(int points, Visit visit) {
   const int last = points > kLanes<Real> ? points - kLanes<Real> : 0;
@@ -23,7 +24,7 @@ PUPFLOW_INLINE inline void for_whole_packs(int points, Visit visit) {
 template <class Real>
 alignas(kPackBytes) constexpr Real kRamp[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
-/// The lanes of `value` that are among the first `count`, and `other` in the rest.
+/// `value` in the first `count` lanes, `other` in the rest.
 template <class Real>
 PUPFLOW_INLINE inline Pack<Real> first_lanes(int count, const Pack<Real>& value,
                                              const Pack<Real>& other) {
@@ -31,7 +32,8 @@ PUPFLOW_INLINE inline Pack<Real> first_lanes(int count, const Pack<Real>& value,
                      value, other);
 }
 
-/// Visits the packs that `count` numbers fill: `visit(i, whole)`. The last may not be `whole`.
+/// Calls `visit(i, whole)` for the packs that contain `count` numbers. `whole` is false in the last
+/// one when it contains padding.
 template <class Real, class Visit>
 PUPFLOW_INLINE inline void for_packs(int count, Visit visit) {
   int i = 0;
@@ -39,15 +41,17 @@ PUPFLOW_INLINE inline void for_packs(int count, Visit visit) {
   if (i < count) visit(i, std::false_type());
 }
 
-/// Bits of the lanes from `i` on that are points, of which there are `points`.
+/// The lanes of the pack at `i` that are among the first `points` points, one bit each.
 template <class Real>
 PUPFLOW_INLINE inline std::uint32_t point_lanes(int i, int points) {
-  const int left = points - i;
-  return left >= kLanes<Real> ? ~0u : (1u << left) - 1;
+  const int remaining = points - i;
+  return remaining >= kLanes<Real> ? ~0u : (1u << remaining) - 1;
 }
 
-/// Sets bits i ... of `words`, which are clear so far. Packs never straddle a word.
+/// Sets the bits of `words` from i on by `bits`. They must be clear before. A pack never crosses
+/// the end of a word.
 PUPFLOW_INLINE inline void set_bits(std::uint64_t* words, int i, std::uint32_t bits) {
+  assert((words[i / 64] >> (i % 64)) == 0);
   words[i / 64] |= static_cast<std::uint64_t>(bits) << (i % 64);
 }
 

@@ -1,5 +1,5 @@
-// Sets of a pup's points, one bit each: visiting the few that touch somebody costs what they are,
-// not what they could be.
+// Sets of a pup's points, one bit each. The time to visit a set grows with the points in it, not
+// with the points of the pup.
 #pragma once
 
 #include <bit>
@@ -17,7 +17,8 @@ constexpr int words_for(int points) {
 /// Words enough for the largest cloud.
 constexpr int kMaxPointWords = words_for(6 * kMaxFacePoints * kMaxFacePoints);
 
-/// In this unit no sum over the points of the largest cloud overflows, whatever its terms.
+/// Multiplied by this, any finite terms can be summed over the points of the largest cloud without
+/// overflow.
 constexpr double kSumUnit = 0x1p-16;
 
 /// Calls `visit(i)` for each set bit i of `words`, in ascending order.

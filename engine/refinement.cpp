@@ -1,5 +1,6 @@
 #include "engine/refinement.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "engine/elementary.h"
@@ -12,18 +13,37 @@ struct ModeClass {
   double rigidity, keep;
 };
 
+/// a and kappa of refinement.h for a rigidity `alpha` per step of h0 and dt = s h0, in forms in
+/// which nothing cancels at small s.
 ModeClass mode_class(Integrator integrator, double alpha, double s) {
   if (integrator == Integrator::explicit_) {
+    // From cos(phi) = 1 - alpha / 2 and the half-angle formulas
+    //
+    //   sin^2(phi / 2) = (1 - cos(phi)) / 2 = alpha / 4
+    //   cos^2(phi / 2) = (1 + cos(phi)) / 2 = 1 - alpha / 4
+    //
+    //   a = 2 - 2 cos(s phi) = 4 sin^2(s phi / 2)
     const double phi = 2 * atan2_fixed(std::sqrt(alpha) / 2, std::sqrt(1 - alpha / 4));
     const double sine = sincos_fixed(s * phi / 2).sin;
     return {4 * sine * sine, 1};
   }
-  // lambda = r e^(i phi). In these forms nothing cancels at small s.
+  // With r = |lambda|^s = (1 - alpha)^(s/2), Tr = 2 r cos(s phi) and D = r^2. Let
+  //
+  //   less = r - 1
+  //   bend = 2 - 2 cos(s phi) = 4 sin^2(s phi / 2)
+  //
+  //   a = 1 - 2 r cos(s phi) + r^2
+  //     = (1 - r)^2 + 2 r (1 - cos(s phi))
+  //     = less^2 + r bend
+  //
+  //   kappa = r^2 / (2 r cos(s phi) - r^2)
+  //         = r / (2 cos(s phi) - r)
+  //         = r / (1 - less - bend)
   const double log_r = log_fixed(1 - alpha) / 2;
   const double phi = atan2_fixed(std::sqrt(alpha), std::sqrt(1 - alpha));
   const double r = exp_fixed(s * log_r), less = expm1_fixed(s * log_r);
   const SinCos half = sincos_fixed(s * phi / 2);
-  const double bend = 4 * half.sin * half.sin;  // 2 - 2 cos(s phi)
+  const double bend = 4 * half.sin * half.sin;
   return {less * less + r * bend, r / (1 - less - bend)};
 }
 
@@ -37,10 +57,24 @@ struct Motion {
   double growth = 0;
 };
 
-/// Of the shape with mode coefficients `x` that moves with `v`, the first `modes` of them:
-/// inertia^-1 times angular momentum, and sum x v / sum x x. The modes have unit length, so sums
-/// over points are sums over columns. A shape with no extent, or on a line, has no spin that could
-/// be told from deformation.
+/// The spin omega and the growth g of the shape `x` with the velocity `v`, both on the modes, the
+/// first `modes` of them. They minimise
+///
+///   sum over points of |v - omega x r - g r|^2
+///
+/// where r is a point's place relative to the mean. The modes are orthonormal over the points, so
+/// sums over points are sums over the columns x_m and v_m. Setting the derivatives to 0 gives
+///
+///   I omega = L,    I = sum (|x_m|^2 - x_m x_m^T),    L = sum x_m x v_m
+///   g = sum x_m . v_m / sum |x_m|^2
+///
+/// where growth has no part in L and spin none in g. I is symmetric with the rows i_0, i_1, i_2, so
+/// by Cramer's rule
+///
+///   det(I) = i_0 . (i_1 x i_2)
+///   omega  = (L_0 i_1 x i_2 + L_1 i_2 x i_0 + L_2 i_0 x i_1) / det(I)
+///
+/// A shape without extent, or on a line, gets no spin: there it cannot be told from deformation.
 Motion motion_of(const ModeMatrix& x, const ModeMatrix& v, int modes) {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
@@ -77,22 +111,24 @@ StepBody step_body(const Params& params) {
     return {params.rigidity, params.deformation};
   }
   const double s = params.dt / kReferenceStep;
+  assert(s > 0 && s < 1);
+  assert(params.rigidity < 1 || params.integrator == Integrator::explicit_);
   const ModeClass rest = mode_class(params.integrator, params.rigidity, s);
   const ModeClass fitted =
       mode_class(params.integrator, params.rigidity * (1 - params.deformation), s);
   StepBody body{rest.rigidity, params.deformation, fitted.keep, rest.keep, s};
-  // The fitted modes see alpha (1 - beta) of what shape matching is told.
+  // In shape matching the fitted modes have the rigidity body.alpha (1 - body.beta), which must be
+  // that of their class.
   if (rest.rigidity > 0) body.beta = 1 - fitted.rigidity / rest.rigidity;
   return body;
 }
 
 ModeMatrix damping_goal(const StepBody& body, const ModeMatrix& x, const ModeMatrix& v) {
-  // By what the scene fits, since other modes would see another spin: not by the plan, which may
-  // have been forced.
-  const int modes = 1 + kLinearModes + (body.beta > 0 ? kQuadraticModes : 0);
+  assert(body.damps() && body.keep_rest != 1);
+  // The modes that the scene fits, not those of the plan: forced quadratic modes would change the
+  // spin.
+  const int modes = mode_count(body.beta > 0);
   const Motion motion = motion_of(x, v, modes);
-  // All that is no deformation is kept: so the goal is v, less what the fitted modes lose beyond
-  // the share 1 - keep_rest of the distance to the goal that all points go.
   const double fitted = (1 - body.keep_fitted) / (1 - body.keep_rest);
   ModeMatrix goal = ModeMatrix::Zero();
   goal.col(kMeanMode) = v.col(kMeanMode);

@@ -34,7 +34,7 @@ double Rng::uniform() {
 }
 
 Eigen::Matrix3d Rng::rotation() {
-  // Two points in the unit disc make a quaternion uniform on the sphere, without trigonometry.
+  // Two points uniform in the unit disc give a quaternion uniform on the 3-sphere (Marsaglia 1972).
   double a, b, c, d, s, t;
   do {
     a = uniform(-1, 1);

@@ -1,8 +1,10 @@
-// Random numbers that are the same everywhere; the standard library's distributions are not.
+// Random numbers with the same bits everywhere, which the standard library's distributions have
+// not.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 namespace pupflow {
@@ -22,7 +24,10 @@ class Rng {
   double uniform();
 
   /// Uniform in [low, high).
-  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  double uniform(double low, double high) {
+    assert(low <= high);
+    return low + (high - low) * uniform();
+  }
 
   /// Uniform in SO(3): the rotation of a quaternion uniform on the 3-sphere (Marsaglia 1972).
   Eigen::Matrix3d rotation();

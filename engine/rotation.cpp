@@ -37,15 +37,17 @@ double norm_squared(const Matrix3d& a) {
   return dot_columns(a, 0, a, 0) + dot_columns(a, 1, a, 1) + dot_columns(a, 2, a, 2);
 }
 
-/// Newton's iteration x <- (s x + x^-T / s) / 2 to the orthogonal polar factor. `a` has det > 0.
+/// Newton's iteration to the orthogonal polar factor of `a`, which has det > 0:
+///
+///   x <- (s x + x^(-T) / s) / 2
 Matrix3d polar_by_newton(const Matrix3d& a) {
   Matrix3d x = a;
   double change = 1;
   for (int i = 0; i < 20 && change > 1e-30; ++i) {
     const Matrix3d c = cofactors(x);
     const double inverse_det = 1 / dot_columns(x, 0, c, 0);
-    // Scaling brings the singular values towards 1 from afar; near the end it would only add
-    // rounding.
+    // Scaling brings singular values that are far from 1 near it. In the last iterations it would
+    // only add rounding errors.
     const double scale =
         change > 1e-4
             ? std::sqrt(std::sqrt(norm_squared(c) / norm_squared(x)) * std::abs(inverse_det))
@@ -80,7 +82,7 @@ bool jacobi_turn(Matrix3d& u, Matrix3d& v, int p, int q) {
   return true;
 }
 
-/// Some unit vector at right angles to the unit vector `u`.
+/// A unit vector at right angles to the unit vector `u`.
 Vector3d any_perpendicular(const Vector3d& u) {
   int least = 0;
   for (int i = 1; i < 3; ++i) {
@@ -106,8 +108,8 @@ Rotation rotation_by_singular_values(const Matrix3d& a) {
   const bool line = second <= kRank * first;
   Vector3d u1 = line ? any_perpendicular(u0) : Vector3d(u.col(order[1]) / second);
   u1 = (u1 - u0 * u0.dot(u1)).normalized();
-  // Third axes by cross product on both sides: det +1, and the smallest singular value takes the
-  // sign.
+  // The third axes are cross products on both sides. So det = +1, and where det(a) < 0 the smallest
+  // singular value changes its sign.
   const Vector3d v0 = v.col(order[0]), v1 = v.col(order[1]);
   const Matrix3d r =
       u0 * v0.transpose() + u1 * v1.transpose() + u0.cross(u1) * v0.cross(v1).transpose();

@@ -5,22 +5,22 @@
 
 namespace pupflow {
 
-/// How sure the rotation is.
+/// How the rotation was found.
 enum class RotationKind {
-  regular,   // the matrix keeps orientation and is far from flat: Newton's iteration
-  fallback,  // flat or mirrored: from singular values, still the one nearest rotation
-  arbitrary  // a line, a point or not finite: many rotations are as near, one of them is returned
+  regular,   // the matrix has a positive determinant and is far from flat: Newton's iteration
+  fallback,  // flat or mirrored: from singular values; there is still one nearest rotation
+  arbitrary  // a line, a point or not finite: one of many rotations that are equally near
 };
 
 struct Rotation {
-  Eigen::Matrix3d matrix;  // orthogonal to rounding, det +1, whatever came in
+  Eigen::Matrix3d matrix;  // orthogonal to rounding, det +1, for any input
   RotationKind kind;
 };
 
-/// argmin over R in SO(3) of |R - a| (Frobenius), for any `a`. The regular case takes Newton's
-/// iteration for the polar factor with Frobenius scaling (Higham 1986, SIAM J. Sci. Stat. Comput.
-/// 7, 1160), the others one-sided Jacobi singular values with the sign of the smallest turned where
-/// needed (Umeyama 1991). Independent of the scale of `a`.
+/// The R in SO(3) with the least |R - a| (Frobenius norm), for any `a`. The regular case uses
+/// Newton's iteration for the polar factor with Frobenius scaling (Higham 1986, SIAM J. Sci. Stat.
+/// Comput. 7, 1160), the others one-sided Jacobi singular values, where the smallest one changes
+/// its sign if det would be -1 (Umeyama 1991). The result does not depend on the scale of `a`.
 Rotation nearest_rotation(const Eigen::Matrix3d& a);
 
 }  // namespace pupflow

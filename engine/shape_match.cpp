@@ -1,7 +1,7 @@
 #include "engine/shape_match.h"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <cmath>
 
 #include "engine/elementary.h"
@@ -9,9 +9,9 @@
 namespace pupflow {
 namespace {
 
-/// How much the volume factor may enlarge a fit: 3 times, but near beta = 1 only 1/beta times, from
-/// beta = 0.95 on. A fit comes back in the goals as beta times itself; with factor * beta <= 1 a
-/// body that something keeps flat cannot grow in its other directions by feeding on its own size.
+/// The largest volume factor: 3 up to beta = 0.9, 1/beta from beta = 0.95 on, linear in between.
+/// The goals contain beta times the fit. With factor * beta <= 1, a body that is kept flat cannot
+/// grow in its other directions from step to step.
 double largest_volume_factor(double beta) {
   constexpr double kUsual = 3, kBegin = 0.9, kEnd = 0.95;
   if (beta <= kBegin) return kUsual;
@@ -30,10 +30,6 @@ double volume_factor(double det, double beta) {
   const double smallest = 1 / (largest * largest * largest);
   const double size = std::abs(det);
   return size > smallest ? std::min(inverse_cbrt_fixed(size), largest) : largest;
-}
-
-int mode_count(bool quadratic) {
-  return 1 + kLinearModes + (quadratic ? kQuadraticModes : 0);
 }
 
 template <class Real>
@@ -57,41 +53,15 @@ struct ModeRow {
   }
 };
 
-template <class Real>
-ModeMatrix fit(const Cloud<Real>& cloud, const State<Real>& state,
-               const std::array<const AlignedVector<Real>*, 3>& component, int pup,
-               bool quadratic) {
-  const Real* xyz[3];
-  for (std::size_t axis = 0; axis < 3; ++axis) xyz[axis] = component[axis]->data() + state.row(pup);
-  const int modes = mode_count(quadratic);
-  Real sums[kModes][3];
-  state.kernels->fit(cloud.mode.data(), modes, cloud.points, cloud.stride, xyz, sums);
-  ModeMatrix result = ModeMatrix::Zero();
-  for (int m = 0; m < modes; ++m) {
-    for (int axis = 0; axis < 3; ++axis) result(axis, m) = static_cast<double>(sums[m][axis]);
-  }
-  return result;
-}
-
 }  // namespace
-
-template <class Real>
-ModeMatrix fit_modes(const Cloud<Real>& cloud, const State<Real>& state, int pup, bool quadratic) {
-  return fit(cloud, state, {&state.x, &state.y, &state.z}, pup, quadratic);
-}
-
-template <class Real>
-ModeMatrix fit_velocity_modes(const Cloud<Real>& cloud, const State<Real>& state, int pup,
-                              bool quadratic) {
-  return fit(cloud, state, {&state.vx, &state.vy, &state.vz}, pup, quadratic);
-}
 
 ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, double linear_scale,
                       double beta) {
+  assert(linear_scale > 0);
   ModeMatrix goal = beta * fit;
   // The fitted linear map of rest offsets is linear / linear_scale, the rotation's is R.
   Eigen::Matrix3d map = (beta / linear_scale) * linear_part(fit) + (1 - beta) * rotation;
-  if (beta == 1) map.array() += 0.0;  // -0 would tell the signs of 0 R
+  if (beta == 1) map.array() += 0.0;  // turns -0 into 0: the sign of 0 R must not matter
   if (beta > 0) map *= volume_factor(determinant(map), beta);
   goal.middleCols<kLinearModes>(1) = linear_scale * map;
   goal.col(kMeanMode) = fit.col(kMeanMode);
@@ -100,16 +70,16 @@ ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, do
 
 template <class Real>
 void predict(const Params& params, State<Real>& state, int pup) {
-  double push[3] = {0, 0, -params.gravity};
+  double acceleration[3] = {0, 0, -params.gravity};
   if (params.drive > 0) {
     const SinCos direction = sincos_fixed(state.heading[pup]);
-    push[0] = params.drive * direction.cos;
-    push[1] = params.drive * direction.sin;
+    acceleration[0] = params.drive * direction.cos;
+    acceleration[1] = params.drive * direction.sin;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    state.kernels->predict(static_cast<Real>(params.dt), static_cast<Real>(params.dt * push[axis]),
-                           state.points, position_row(state, axis, pup),
-                           velocity_row(state, axis, pup));
+    state.kernels->predict(static_cast<Real>(params.dt),
+                           static_cast<Real>(params.dt * acceleration[axis]), state.points,
+                           position_row(state, axis, pup), velocity_row(state, axis, pup));
   }
 }
 
@@ -129,10 +99,13 @@ template <class Real>
 void pull_to_goals(const Params& params, const StepBody& body, bool quadratic,
                    const Cloud<Real>& cloud, const BodyFit& fit, const ModeMatrix& goal,
                    State<Real>& state, int pup) {
+  assert(pup >= 0 && pup < state.pups);
+  assert(cloud.points == state.points && cloud.stride == state.stride);
   const bool moves = params.integrator == Integrator::predictive;
   const auto alpha = static_cast<Real>(body.alpha);
   const auto drag = static_cast<Real>(params.dt * (1 - body.keep_rest) * (1 - body.alpha));
-  // Goals take the factors as the kernel has them: else rounding would damp rigid motion, too.
+  // The goals are multiplied by the factors as the kernel has them, rounded to Real. Otherwise
+  // rounding would damp rigid motion, too.
   const ModeMatrix sum =
       body.damps()
           ? ModeMatrix(static_cast<double>(alpha) * goal + static_cast<double>(drag) * fit.velocity)
@@ -186,15 +159,13 @@ RotationKind match_shape(const Params& params, const StepBody& body, MatchParts 
   return rotation.kind;
 }
 
-#define PUPFLOW_INSTANTIATE(Real)                                                                  \
-  template ModeMatrix fit_modes<Real>(const Cloud<Real>&, const State<Real>&, int, bool);          \
-  template ModeMatrix fit_velocity_modes<Real>(const Cloud<Real>&, const State<Real>&, int, bool); \
-  template void predict<Real>(const Params&, State<Real>&, int);                                   \
-  template BodyFit fit_body<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,        \
-                                  const State<Real>&, int);                                        \
-  template void pull_to_goals<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,      \
-                                    const BodyFit&, const ModeMatrix&, State<Real>&, int);         \
-  template RotationKind match_shape<Real>(const Params&, const StepBody&, MatchParts,              \
+#define PUPFLOW_INSTANTIATE(Real)                                                             \
+  template void predict<Real>(const Params&, State<Real>&, int);                              \
+  template BodyFit fit_body<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,   \
+                                  const State<Real>&, int);                                   \
+  template void pull_to_goals<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&, \
+                                    const BodyFit&, const ModeMatrix&, State<Real>&, int);    \
+  template RotationKind match_shape<Real>(const Params&, const StepBody&, MatchParts,         \
                                           const Cloud<Real>&, State<Real>&, int);
 PUPFLOW_INSTANTIATE(float)
 PUPFLOW_INSTANTIATE(double)

@@ -1,6 +1,7 @@
 #include "engine/start.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "engine/elementary.h"
@@ -12,12 +13,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Random streams of one pup: where it starts, and how it is turned and headed.
-enum class Draw : std::uint64_t { place, pose };
+// Each pup has two random streams: one for its centre, one for its orientation and heading.
+enum class Stream : std::uint64_t { centre, pose };
 
-Rng stream(const Params& params, int pup, Draw draw) {
+Rng random_of(const Params& params, int pup, Stream stream) {
   return Rng(static_cast<std::uint64_t>(params.seed),
-             2 * static_cast<std::uint64_t>(pup) + static_cast<std::uint64_t>(draw));
+             2 * static_cast<std::uint64_t>(pup) + static_cast<std::uint64_t>(stream));
+}
+
+/// Radius of a pup with the spheres at its points.
+double body_radius(const Params& params) {
+  return params.pup_radius + params.point_radius;
 }
 
 struct Site {
@@ -43,7 +49,7 @@ std::vector<Site> hexagonal_sites(double spacing, double radius) {
   return sites;
 }
 
-/// How many sites such a grid has, without listing them: rows are counted one by one.
+/// The number of sites of such a grid, counted row by row without a list.
 std::size_t count_sites(double spacing, double radius) {
   std::size_t count = 0;
   const double row_height = spacing * std::sqrt(0.75);
@@ -58,7 +64,7 @@ std::size_t count_sites(double spacing, double radius) {
   return count;
 }
 
-/// The widest spacing, from `least` up, at which `wanted` sites fit.
+/// The largest spacing of at least `least` at which `wanted` sites fit, by bisection.
 double widest_spacing(double least, double radius, std::size_t wanted) {
   double fits = least, too_wide = 2 * radius + 2 * least;
   for (int i = 0; i < 60; ++i) {
@@ -69,32 +75,32 @@ double widest_spacing(double least, double radius, std::size_t wanted) {
 }
 
 std::vector<Vector3d> carpet(const Params& params) {
-  const double reach = params.pup_radius + params.point_radius;
-  constexpr double kGap = 1.05;  // between bodies at least, as a share of their diameter
-  const double least = 2 * reach * kGap, radius = params.arena_radius - reach;
+  const double body = body_radius(params);
+  constexpr double kGap = 1.05;  // least distance of centres, in diameters of a body
+  const double least = 2 * body * kGap, radius = params.arena_radius - body;
   const auto pups = static_cast<std::size_t>(params.pups);
   const std::size_t capacity = std::max<std::size_t>(count_sites(least, radius), 1);
   const std::size_t layers = (pups + capacity - 1) / capacity;
   const std::size_t per_layer = (pups + layers - 1) / layers;
-  // A hair inside, so that listing the sites finds as many as counting them did.
+  // Slightly smaller, so that rounding cannot make the list shorter than the count.
   const double spacing = widest_spacing(least, radius, per_layer) * (1 - 1e-9);
   const std::vector<Site> sites = hexagonal_sites(spacing, radius);
-  const double jitter = (spacing - 2 * reach) / 4;
+  const double jitter = (spacing - 2 * body) / 4;
   std::vector<Vector3d> centres;
   for (std::size_t j = 0; j < pups; ++j) {
     const Site site = sites.empty() ? Site{0, 0} : sites[j % per_layer % sites.size()];
-    Rng random = stream(params, static_cast<int>(j), Draw::place);
+    Rng random = random_of(params, static_cast<int>(j), Stream::centre);
     const double x = site.x + random.uniform(-jitter, jitter);
     const double y = site.y + random.uniform(-jitter, jitter);
     const double inward = std::min(1.0, radius / std::max(std::sqrt(x * x + y * y), 1e-300));
     const double layer = static_cast<double>(j / per_layer);
-    centres.emplace_back(x * inward, y * inward, reach * kGap + layer * least);
+    centres.emplace_back(x * inward, y * inward, body * kGap + layer * least);
   }
   return centres;
 }
 
-/// rotation * v, written out: Eigen's product would use fused multiply-add where the compiler may,
-/// and give other bits there.
+/// rotation * v. Written out, since Eigen's product uses fused multiply-add where the processor has
+/// it, which gives other bits.
 Vector3d turned(const Eigen::Matrix3d& rotation, const Vector3d& v) {
   Vector3d result;
   for (int i = 0; i < 3; ++i) {
@@ -104,11 +110,11 @@ Vector3d turned(const Eigen::Matrix3d& rotation, const Vector3d& v) {
 }
 
 std::vector<Vector3d> column(const Params& params) {
-  const double reach = params.pup_radius + params.point_radius;
-  const double spacing = std::max(1.0, 2 * reach);
+  const double body = body_radius(params);
+  const double spacing = std::max(1.0, 2 * body);
   std::vector<Vector3d> centres;
   for (int j = 0; j < params.pups; ++j) {
-    Rng random = stream(params, j, Draw::place);
+    Rng random = random_of(params, j, Stream::centre);
     const double x = random.uniform(-params.start_spread, params.start_spread);
     const double y = random.uniform(-params.start_spread, params.start_spread);
     centres.emplace_back(x, y, j * spacing + params.pup_radius + params.point_radius);
@@ -125,9 +131,10 @@ std::vector<Vector3d> start_centres(const Params& params) {
 
 template <class Real>
 void lay_out(const Params& params, const std::vector<Vector3d>& rest, State<Real>& state) {
+  assert(state.pups == params.pups && rest.size() == static_cast<std::size_t>(state.points));
   const std::vector<Vector3d> centres = start_centres(params);
   for (int pup = 0; pup < state.pups; ++pup) {
-    Rng random = stream(params, pup, Draw::pose);
+    Rng random = random_of(params, pup, Stream::pose);
     const Eigen::Matrix3d rotation = random.rotation();
     for (int i = 0; i < state.stride; ++i) {
       const bool padding = i >= state.points;

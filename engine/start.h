@@ -10,8 +10,10 @@
 
 namespace pupflow {
 
-/// Puts `rest` offsets, turned at random, round `start_centres` (geometry.h); at rest, at T_b(0),
-/// with random courses.
+/// Places every pup of `state` at its start: the `rest` offsets, in a random orientation, round its
+/// centre (start_centres, geometry.h), with velocity 0, body temperature T_b(0) and a random
+/// heading. `state` must be new (make_state), for as many pups as `params` has and as many points
+/// as `rest`.
 template <class Real>
 void lay_out(const Params& params, const std::vector<Eigen::Vector3d>& rest, State<Real>& state);
 

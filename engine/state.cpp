@@ -1,6 +1,7 @@
 #include "engine/state.h"
 
 #include <bit>
+#include <cassert>
 
 #include "engine/lanes.h"
 #include "engine/rng.h"
@@ -9,6 +10,7 @@ namespace pupflow {
 
 template <class Real>
 State<Real> make_state(int pups, int points, InstructionSet set) {
+  assert(pups >= 0 && points > 0 && words_for(points) <= kMaxPointWords);
   State<Real> state;
   state.kernels = &kernels_for<Real>(set);
   state.pups = pups;
@@ -29,6 +31,7 @@ State<Real> make_state(int pups, int points, InstructionSet set) {
 
 template <class Real>
 bool update_bounds(State<Real>& state, int pup) {
+  assert(pup >= 0 && pup < state.pups);
   const std::size_t row = state.row(pup);
   const Real* xyz[3] = {state.x.data() + row, state.y.data() + row, state.z.data() + row};
   Bounds<Real>& b = state.bounds[pup];

@@ -1,6 +1,7 @@
 #include "pupflow/status.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace pupflow {
 namespace {
@@ -67,6 +68,7 @@ bool Warnings::has(Warning::Kind kind) const {
 }
 
 void Warnings::add(const Warning& warning) {
+  assert(static_cast<int>(warning.kind) >= 0 && static_cast<int>(warning.kind) < kWarningKinds);
   if (!has(warning.kind)) list_[static_cast<std::size_t>(count_++)] = warning;
 }
 

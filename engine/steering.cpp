@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 
 #include "engine/elementary.h"
@@ -58,6 +59,7 @@ template <class Real>
 SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
                                const State<Real>& state, int pup, double direction,
                                bool first_on_axis, std::uint8_t* on_the_left = nullptr) {
+  assert(cloud.points == state.points && cloud.stride == state.stride);
   const Real* x = state.x.data() + state.row(pup);
   const Real* y = state.y.data() + state.row(pup);
   const int* touched = state.touched.data() + state.flat(pup);
@@ -79,6 +81,7 @@ SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
   const auto means = [&](double unit) -> SideTemperatures {
     double sum[2] = {0, 0};  // of T_c - T_a over the touching points: right, left
     for_each_point(touching, words, [&](int i) {
+      assert(i < state.points && touched[i] >= 0 && touched[i] < state.pups && touched[i] != pup);
       sum[is_left(i)] += unit * state.tb[touched[i]] - unit * params.ambient_temperature;
     });
     return {(unit * params.ambient_temperature + (on_left > 0 ? sum[1] / on_left : 0)) / unit,

@@ -85,7 +85,7 @@ struct Step {
     const int workers = useful_workers(workspace.team, state.pups);
     workspace.team.run(workers, [&](int worker) {
       Found& found = workspace.found[worker];
-      const PupRange share = share_of(state.pups, worker, workers);
+      const Share share = share_of(state.pups, worker, workers);
       for (int pup = share.begin; pup < share.end; ++pup) {
         for (std::size_t place = begin; place < end; ++place) {
           const Status status = stage_of_pup(sequence.stages()[place], pup, worker, found.counters);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <exception>
 #include <thread>
 #include <utility>
@@ -9,8 +10,8 @@
 
 namespace pupflow {
 
-/// All workers but the first. They wait for `round_` to change; the job is written before that, and
-/// nothing changes until all have finished the round.
+/// All workers but the first. They wait for `round_` to change. The job is written before that, and
+/// does not change until all have finished the round.
 class Team::Threads {
  public:
   explicit Threads(int count) {
@@ -35,7 +36,7 @@ class Team::Threads {
     busy_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);
     begin_round();
     work(0);
-    for (int left = busy_.load(); left != 0; left = busy_.load()) busy_.wait(left);
+    for (int busy = busy_.load(); busy != 0; busy = busy_.load()) busy_.wait(busy);
     if (failed_.exchange(false)) std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 
@@ -66,7 +67,7 @@ class Team::Threads {
   std::atomic<std::uint32_t> round_{0};
   std::atomic<int> busy_{0};  // workers that have not finished this round
   std::atomic<bool> failed_{false};
-  std::exception_ptr failure_;  // the first; written by whoever set failed_
+  std::exception_ptr failure_;  // written by the worker that set failed_
   bool stop_ = false;
   int workers_ = 0;
   void (*call_)(void*, int) = nullptr;
@@ -85,13 +86,15 @@ Team& Team::operator=(Team&&) noexcept = default;
 Team::~Team() = default;
 
 void Team::run_together(int workers, void (*call)(void*, int), void* job) {
+  assert(workers > 1 && workers <= size_);
   if (!threads_) threads_ = std::make_unique<Threads>(size_ - 1);
-  threads_->run(std::min(workers, size_), call, job);
+  threads_->run(workers, call, job);
 }
 
-PupRange share_of(int pups, int worker, int workers) {
+Share share_of(int count, int worker, int workers) {
+  assert(count >= 0 && worker >= 0 && worker < workers);
   const auto cut = [&](int i) {
-    return static_cast<int>(static_cast<std::int64_t>(pups) * i / workers);
+    return static_cast<int>(static_cast<std::int64_t>(count) * i / workers);
   };
   return {cut(worker), cut(worker + 1)};
 }

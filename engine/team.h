@@ -7,9 +7,9 @@
 
 namespace pupflow {
 
-/// A group of workers that do the same job side by side, again and again. The calling thread is
-/// worker 0; the others are started when first needed and wait in between. A copy is a team of its
-/// own, of the same size.
+/// A group of workers that run jobs together, one job after another. The calling thread is worker
+/// 0. The other threads start with the first job that needs them and wait between jobs. A copy is a
+/// team of its own, of the same size.
 class Team {
  public:
   /// A team of `threads` workers, at least one.
@@ -23,7 +23,8 @@ class Team {
   int size() const { return size_; }
 
   /// Calls `job(worker)` once for each worker 0 ... workers - 1, at the same time, and returns when
-  /// all are done; then throws what one of them has thrown. `workers` is at most size().
+  /// all are done. If calls throw, one of their exceptions is then thrown here. `workers` is at
+  /// most size().
   template <class Job>
   void run(int workers, Job&& job) {
     if (workers <= 1) {
@@ -44,16 +45,16 @@ class Team {
   std::unique_ptr<Threads> threads_;  // none before the first job for more than one
 };
 
-/// The pups begin ... end - 1 are one worker's share.
-struct PupRange {
+/// The items begin ... end - 1 of a loop, which one worker does.
+struct Share {
   int begin, end;
 };
 
-/// Share number `worker` of `workers` equal shares of `pups` pups, in order.
-PupRange share_of(int pups, int worker, int workers);
+/// Share number `worker` of `workers` equal shares of `count` items, in order.
+Share share_of(int count, int worker, int workers);
 
-/// How many workers `pups` pups keep busy: with few pups, waking another thread costs more than it
-/// saves.
+/// How many workers of `team` to use for `pups` pups, at least 1: with few pups, waking another
+/// thread takes longer than the work that it takes over.
 int useful_workers(const Team& team, int pups);
 
 }  // namespace pupflow

@@ -1,19 +1,23 @@
 #include "engine/watch.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+
+#include "engine/invariants.h"
 
 namespace pupflow {
 namespace {
 
 constexpr int kLastingSteps = 50;
-constexpr int kRise = 3;               // a step in an odd state counts as much as three others
+constexpr int kRise = 3;               // a step in an impossible state counts as three others
 constexpr double kEnergyMargin = 1.5;  // of height
 constexpr double kManySteps = 1e15;
 
-/// Counts a step in an odd state, or one in a good state; true when the odd one lasts.
-bool lasts(bool odd, int& count) {
-  count = odd ? std::min(count + kRise, kRise * kLastingSteps) : std::max(count - 1, 0);
+/// Counts up a step in an impossible state, down one in a possible state. True when the impossible
+/// state lasts.
+bool lasts(bool impossible, int& count) {
+  count = impossible ? std::min(count + kRise, kRise * kLastingSteps) : std::max(count - 1, 0);
   return count == kRise * kLastingSteps;
 }
 
@@ -36,7 +40,7 @@ double kinetic_energy(const State<Real>& state, int pup) {
   return energy;
 }
 
-/// Whether the boxes of all others are further than `distance` from that of `pup`, along an axis.
+/// Whether the boxes of all others are further than `distance` from that of `pup` along some axis.
 template <class Real>
 bool is_alone(const State<Real>& state, int pup, double distance) {
   const Bounds<Real>& box = state.bounds[pup];
@@ -76,6 +80,8 @@ void Watch<Real>::begin(const Params& params, const State<Real>& state) {
 
 template <class Real>
 void Watch<Real>::look(const Params& params, const State<Real>& state) {
+  assert(past_.size() == static_cast<std::size_t>(state.pups));
+  assert(all_enclosed(state));
   const double wall = params.arena_radius * params.arena_radius;
   const auto warn = [&](Warning::Kind kind, int pup) { warnings_.add({kind, state.step, pup}); };
   for (int pup = 0; pup < state.pups; ++pup) {

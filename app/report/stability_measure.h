@@ -13,7 +13,7 @@ namespace pupflow::report {
 struct Shape {
   /// Mean over points of |x - c - R q|^2 / r_pup^2: squared distance from the rest shape q, turned
   /// by the rotation R nearest to the fitted linear map. 0 at rest; 1 is a displacement of every
-  /// point by a radius. The potential energy of the springs that draw points to rigid goals, up to
+  /// point by a radius. The potential energy of the springs that pull points to rigid goals, up to
   /// a factor.
   double energy = 0;
   /// Determinant of the fitted linear map of the rest offsets: 1 at rest, the volume's factor; 0

@@ -296,7 +296,7 @@ TEST(BroadPhase, FindsAllOverlapsSorted) {
         box.high[axis] = box.low[axis] + random.uniform(0, 1);
       }
     }
-    std::vector<TouchingPair> expected;
+    std::vector<NearPair> expected;
     for (int a = 0; a < 40; ++a) {
       for (int b = a + 1; b < 40; ++b) {
         bool near = true;
@@ -307,7 +307,7 @@ TEST(BroadPhase, FindsAllOverlapsSorted) {
         if (near) expected.push_back({a, b});
       }
     }
-    EXPECT_EQ(broad_phase.find(boxes, 0.1), expected);
+    EXPECT_EQ(broad_phase.near_pairs(boxes, 0.1), expected);
   }
 }
 

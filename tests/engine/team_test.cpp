@@ -64,7 +64,7 @@ TEST(Team, SharesCoverAllPupsInOrder) {
     for (int workers : {1, 2, 3, 8}) {
       int next = 0;
       for (int worker = 0; worker < workers; ++worker) {
-        const PupRange share = share_of(pups, worker, workers);
+        const Share share = share_of(pups, worker, workers);
         EXPECT_EQ(share.begin, next);
         EXPECT_LE(share.end - share.begin, pups / workers + 1);
         next = share.end;

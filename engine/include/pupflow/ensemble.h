@@ -1,4 +1,4 @@
-// Many independent runs, on as many threads as wanted; same bits whatever their number.
+// Many independent runs on any number of threads, which changes no bit of the results.
 #pragma once
 
 #include <cstdint>
@@ -11,30 +11,31 @@
 
 namespace pupflow {
 
-/// What a whole run comes to.
+/// The result of a whole run.
 struct RunResult {
-  Status status;          // of the last step; when it is bad, the means are not to be used
+  Status status;          // of the last step; if it is bad, the means are not valid
   Observables means;      // over the steps after `discard`
   double exposed_sd = 0;  // standard deviation of a pup's A over time, mean over pups
   Warnings warnings;      // of the steps that were taken
 };
 
-/// Runs `params.steps` steps, or to the first bad status. The litter is observed only from where
-/// the means need it: flow_lag steps before they begin. Nothing when `stop` (asked between steps)
-/// told it to give up. Throws InvalidParams.
+/// Runs `params.steps` steps, or to the first bad status. The litter is observed only as the means
+/// need it, from flow_lag steps before they begin. `stop` is called between steps; when it returns
+/// true, the run ends without a result. Throws InvalidParams.
 std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop);
 
-/// Runs number 0 ... count - 1 of `params_of`, on `threads` threads (at least 1). `deliver` gets
-/// each result as it is ready, one call at a time, in no fixed order; `stop` is asked by all
-/// threads at any time. Returns when all are done or stopped. An exception of any of the three ends
-/// the others at their next step and comes out of here.
+/// The runs 0 ... count - 1 with the parameters `params_of(run)`, on `threads` threads (at least
+/// 1). `deliver` gets each result when it is ready, one call at a time, in no fixed order. `stop`
+/// is called by all threads at any time. Returns when all runs are done or stopped. After an
+/// exception in any of the three functions, or InvalidParams, all runs end at their next step and
+/// the exception is thrown here.
 void run_ensemble(std::int64_t count, int threads,
                   const std::function<Params(std::int64_t)>& params_of,
                   const std::function<void(std::int64_t, const RunResult&)>& deliver,
                   const std::function<bool()>& stop);
 
-/// The seed of a run: a pure function of base seed and run index, different for every run of a
-/// sweep.
+/// The seed of a run: a function of base seed and run index alone, different for every run of a
+/// sweep of up to 2^31 runs.
 std::int64_t run_seed(std::int64_t base_seed, std::int64_t run);
 
 }  // namespace pupflow

@@ -11,7 +11,7 @@ enum class InstructionSet { baseline, avx2, avx512 };
 /// "baseline" (SSE2 on x86-64, NEON on arm64), "avx2" or "avx512".
 std::string_view instruction_set_name(InstructionSet set);
 
-/// What this processor and this build can use, best last. Never empty.
+/// The instruction sets that both this processor and this build have, fastest last. Never empty.
 std::span<const InstructionSet> supported_instruction_sets();
 
 }  // namespace pupflow

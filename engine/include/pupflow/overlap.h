@@ -1,11 +1,15 @@
-// How far the bodies of a litter run into each other: distance of centres, and points of one pup
-// inside another.
+// How far the bodies of a litter overlap: distances of centres, and points of one pup inside
+// another.
 //
 // A point is inside a body when the winding number of the body's closed surface round it is above
 // 1/2 (Jacobson, Kavan & Sorkine-Hornung 2013, Robust inside-outside segmentation using
-// generalized winding numbers). The surface runs through the pup's points (surface_triangles,
-// geometry.h). For a closed surface the number is whole: a ray from the point leaves the surface so
-// many times more than it enters. Counting that is exact and needs no angle.
+// generalized winding numbers). The surface goes through the pup's points (surface_triangles,
+// geometry.h). For a closed surface the winding number is a whole number, along any ray from the
+// point:
+//
+//   winding number = (times the ray leaves the surface) - (times it enters)
+//
+// This count is exact and needs no angles.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +25,10 @@ struct Overlap {
   double nearest = 0;         // distance to the nearest other centre, mean over pups
   double least = 0;           // the smallest of these distances
   double inside = 0;          // share of all points that lie inside another body
-  double inside_exposed = 0;  // share of those that touch nobody, so count as exposed; 0 if none
+  double inside_exposed = 0;  // share of those points without contact, so exposed; 0 if none inside
 };
 
-/// Measures litters of any kind, one after another, and keeps its memory in between.
+/// Measures one litter after another, of any size, and keeps its memory in between.
 class OverlapMeter {
  public:
   OverlapMeter();
@@ -32,7 +36,7 @@ class OverlapMeter {
   OverlapMeter& operator=(OverlapMeter&&) noexcept;
   ~OverlapMeter();
 
-  /// The litter as it stands. Whether a point touches somebody is what the last step found, so the
+  /// The overlap of the litter now. The contacts of points are those of the last step, so the
   /// simulation must be observed (Simulation::set_observed). Positions must be finite. For twelve
   /// pups in a huddle it takes as long as some ten steps.
   Overlap measure(const LitterView& litter);
@@ -42,15 +46,16 @@ class OverlapMeter {
   std::unique_ptr<Memory> memory_;
 };
 
-/// The same for a single look.
+/// The same for one litter.
 Overlap measure_overlap(const LitterView& litter);
 
-/// Means over the looks of a run: of `inside_exposed` weighted by `inside`, so over points.
+/// Means over the overlaps of a run. That of `inside_exposed` is weighted by `inside`, so it is a
+/// mean over points.
 class OverlapMeans {
  public:
   void add(const Overlap& overlap);
   std::int64_t count() const { return count_; }
-  /// `least` is the smallest of all looks. All NaN without a look.
+  /// `least` is the smallest of all added. All are NaN before the first `add`.
   Overlap means() const;
 
  private:

@@ -1,5 +1,5 @@
-// Every parameter of the model, once: the struct that the engine steps with, and the table that
-// command line, scene files, sliders, docs and range tests all read.
+// The parameters of the model: the struct that a step reads, and the table that command line, scene
+// files, sliders, docs and range tests read.
 #pragma once
 
 #include <cstdint>
@@ -12,54 +12,70 @@
 
 namespace pupflow {
 
-enum class Heading { course, body };              // which direction a pup steers about
-enum class Start { column, carpet };              // how the litter is laid out at t = 0
-enum class Integrator { predictive, explicit_ };  // goals from x* (Mueller 2005, sec. 3.3) or x(t)
-enum class ContactRule { nearest, mean, sum };    // which touching points move a point (contact.h)
-enum class Refinement { naive, consistent };      // alpha per step, or per 0.01 s (refinement.h)
-enum class HeatRule { exact, euler };      // solution of the linear equation, or one Euler step
-enum class Precision { float_, double_ };  // arithmetic of the point arrays
+// Rules with several readings; docs/model.md has the equations.
+enum class Heading { course, body };  // travel along a state of its own, or the body axis
+enum class Start { column, carpet };  // layout of the litter at t = 0
+enum class Integrator { predictive, explicit_ };  // goals fitted to x* (Mueller 2005) or to x(t)
+enum class ContactRule { nearest, mean, sum };    // which touching lower points move a point
+enum class Refinement { naive, consistent };      // alpha is per step, or per 0.01 s
+enum class HeatRule { exact, euler };             // solution over a step, or one Euler step
+enum class Precision { float_, double_ };         // arithmetic of the point arrays
 
-/// The step at which rigidity and contacts are the paper's; Refinement::consistent keeps to it.
+/// The paper's time step in seconds. Rigidity and contacts act per step, so this step is part of
+/// the model. Refinement::consistent refers to it.
 constexpr double kReferenceStep = 0.01;
 
 /// Most points along a face edge (k): clouds of up to 6 k^2 points.
 constexpr int kMaxFacePoints = 32;
 
-/// The model's parameters with the paper's values. Lengths in arena units, time in model seconds,
-/// temperatures in the paper's normalised units (0.6 is 37 degrees C). A plain value: edit a copy,
-/// `check` it, hand it to a Simulation. Symbols, ranges and sources stand in `parameters()`.
+/// 2^53 - 1, the largest integer that a double and JSON hold exactly.
+constexpr double kExactInteger = 9007199254740991.0;
+
+/// The model's parameters with the paper's values. Lengths are in arena units, times in model
+/// seconds, temperatures in the paper's normalised units (0.6 is 37 degrees C). A plain value: edit
+/// a copy, `check` it, give it to a Simulation. `parameters()` has names, symbols, ranges, sources.
 struct Params {
-  int pups = 12;
-  int face_points = 7;
-  double arena_radius = 2.0;
-  double pup_radius = 0.25;
-  double point_radius = 0.05;
-  double dt = 0.01;
-  double rigidity = 0.7;
-  double deformation = 0.5;
-  double gravity = 10.0;
-  double drive = 1.0;
-  double ambient_temperature = 0.4;
-  double preferred_temperature = 0.6;
-  double air_conductance = 0.9;
-  double contact_conductance = 1.0;
-  double thermogenesis = 0.055;
-  double sensitivity = 38.0;
-  double steering_gain = 200.0;
-  double initial_temperature = 0.6;
-  Heading heading = Heading::course;
-  Start start = Start::column;
-  double start_spread = 0.25;
-  ContactRule contact = ContactRule::nearest;
-  Refinement refinement = Refinement::naive;
-  Integrator integrator = Integrator::predictive;
-  HeatRule heat = HeatRule::exact;
-  std::int64_t steps = 1500;
-  std::int64_t discard = 500;
-  std::int64_t flow_lag = 1;
-  std::int64_t seed = 1;
-  Precision precision = Precision::double_;
+  // The litter
+  int pups = 12;               // number of pups
+  int face_points = 7;         // points along a face edge, k; a pup has 6 k^2 points
+  double arena_radius = 2.0;   // length; radius of the round wall
+  double pup_radius = 0.25;    // length; radius of the sphere on which a pup's points rest
+  double point_radius = 0.05;  // length; radius of the sphere at each point, by which it touches
+
+  // Body
+  double rigidity = 0.7;     // per step, 0 ... 1; share of the way to its goal of each point
+  double deformation = 0.5;  // 0 ... 1; share of the quadratic fit in the goals
+  double gravity = 10.0;     // length/s^2; acceleration downwards
+  double drive = 1.0;        // length/s^2; acceleration along the direction of travel
+
+  // Heat
+  double ambient_temperature = 0.4;    // normalised; of the arena, felt where nothing touches
+  double preferred_temperature = 0.6;  // normalised; body temperature that a pup seeks
+  double air_conductance = 0.9;        // 1/s; rate of heat loss through the exposed surface
+  double contact_conductance = 1.0;    // 1/s; rate of heat exchange through the touching surface
+  double thermogenesis = 0.055;        // normalised/s; heat that each pup produces
+
+  // Steering
+  double sensitivity = 38.0;     // 1; steepness of the two temperature sensors
+  double steering_gain = 200.0;  // 1; gain from sensor contrast to turning
+
+  // Start, and rules with several readings
+  double initial_temperature = 0.6;            // normalised; body temperature of every pup at t = 0
+  Heading heading = Heading::course;           // what a pup steers about
+  Start start = Start::column;                 // layout of the litter at t = 0
+  double start_spread = 0.25;                  // length; half-width of the drop column in x and y
+  ContactRule contact = ContactRule::nearest;  // which touching points move a point
+  Refinement refinement = Refinement::naive;   // what a smaller dt means for rigidity
+  Integrator integrator = Integrator::predictive;  // which positions the goals are fitted to
+  HeatRule heat = HeatRule::exact;                 // how body temperature is stepped
+
+  // The run
+  double dt = 0.01;                          // s; length of a step
+  std::int64_t steps = 1500;                 // steps; length of a run
+  std::int64_t discard = 500;                // steps; at the beginning, left out of a run's means
+  std::int64_t flow_lag = 1;                 // steps; over which pup flow takes the change of A
+  std::int64_t seed = 1;                     // selects the random numbers: same seed, same bits
+  Precision precision = Precision::double_;  // arithmetic of the point arrays
 
   friend bool operator==(const Params&, const Params&) = default;
 };
@@ -67,7 +83,9 @@ struct Params {
 /// One row of the table.
 struct Parameter {
   enum class Kind { real, integer, choice };
-  enum class Effect { next_step, restart, run };  // restart: defines the litter; run: how long, how
+  /// When a change has its effect. next_step: in the next step. restart: it defines the litter, so
+  /// a new Simulation is needed. run: it belongs to a run, not to the litter.
+  enum class Effect { next_step, restart, run };
 
   std::string_view name;    // as typed: --set name=value
   std::string_view symbol;  // as written in the paper and the docs
@@ -85,7 +103,7 @@ struct Parameter {
   std::span<const std::string_view> choices;  // names of a choice, in the order of its enum
   double (*get)(const Params&);               // integers and choices as whole numbers
   void (*set)(Params&, double);
-  double before;  // what a file means that was written before this parameter existed
+  double before;  // value of a file that was written before this parameter existed
 
   double default_value() const { return get(Params{}); }
 };
@@ -96,7 +114,8 @@ std::span<const Parameter> parameters();
 /// The row called `name`, or nullptr.
 const Parameter* find_parameter(std::string_view name);
 
-/// `value` as text that `parse_value` reads back to the same number (shortest form).
+/// `value` as the shortest text that `parse_value` reads back to the same number. For a choice it
+/// must be the number of one of its names.
 std::string format_value(const Parameter& parameter, double value);
 inline std::string format_value(const Parameter& parameter, const Params& params) {
   return format_value(parameter, parameter.get(params));
@@ -105,8 +124,8 @@ inline std::string format_value(const Parameter& parameter, const Params& params
 /// The allowed range in words, e.g. "0 ... 1", "> 0", "course or body".
 std::string range_text(const Parameter& parameter);
 
-/// Something wrong with a parameter set: which parameter, and one sentence saying what would be
-/// right.
+/// Something wrong with a parameter set: the parameter's name, and one sentence that says what
+/// would be right.
 struct Problem {
   std::string parameter;
   std::string message;
@@ -117,13 +136,16 @@ struct Problem {
 bool parse_value(const Parameter& parameter, std::string_view text, Params& params,
                  Problem& problem);
 
-/// Whether `value` is one that `parameter` may take on its own; otherwise says why in `problem`.
+/// Whether `value` is in the range of `parameter` and whole where it must be. Otherwise `problem`
+/// says what would be right.
 bool check_value(const Parameter& parameter, double value, Problem& problem);
 
-/// Everything wrong with `params`, ranges first, then what does not fit together; empty when sound.
+/// Everything wrong with `params`: values out of range first, then combinations that are not
+/// allowed. Empty when the set is sound.
 std::vector<Problem> check(const Params& params);
 
-/// Whether going from `a` to `b` needs a new litter (some Effect::restart parameter differs).
+/// Whether `a` and `b` differ in a parameter of Effect::restart, so that going from one to the
+/// other needs a new litter.
 bool needs_restart(const Params& a, const Params& b);
 
 /// Points per pup, n = 6 k^2.
@@ -131,7 +153,7 @@ inline int points_per_pup(const Params& params) {
   return 6 * params.face_points * params.face_points;
 }
 
-/// Thrown by what needs a sound parameter set; what() lists every problem, one a line.
+/// Thrown where a sound parameter set is needed. what() lists every problem, one per line.
 class InvalidParams : public std::invalid_argument {
  public:
   explicit InvalidParams(std::vector<Problem> problems);

@@ -1,5 +1,6 @@
-// What a step reports: fine, or where the numbers went wrong. And warnings: impossible states of a
-// litter whose numbers are all finite. Each kind is reported once, and the run goes on.
+// What a step reports: a status, fine or where the numbers went wrong; and warnings of impossible
+// states of a litter whose numbers are all finite. Each kind of warning is reported once, and the
+// run goes on.
 #pragma once
 
 #include <array>
@@ -10,26 +11,35 @@
 
 namespace pupflow {
 
-/// The physical stages of a step, in the order in which they run.
-enum class Stage { boundary, contact, steering, heat, predict, shape_match };
+/// The stages of a step, in the order in which they run. Only with integrator = explicit
+/// shape_match runs before predict. A step leaves out the stages that its scene does not need
+/// (plan.h).
+enum class Stage {
+  boundary,    // floor and wall
+  contact,     // points of different pups that touch
+  steering,    // headings, from the temperatures that points feel
+  heat,        // body temperatures
+  predict,     // motion under gravity and drive
+  shape_match  // pull of the points towards their goals
+};
 constexpr int kStageCount = 6;
 
 /// The stage's name as `explain`, errors and benchmarks print it.
 std::string_view stage_name(Stage stage);
 
-/// Outcome of a step. A step never repairs anything: after a bad status the state is left as the
-/// stage made it, for inspection, and only a new or restored simulation goes on.
+/// Outcome of a step. A step never repairs anything. After a bad status the state stays as the step
+/// left it, for inspection, and the simulation takes no more steps.
 struct Status {
   enum class Kind {
     fine,
     non_finite,  // a number became infinite or NaN
-    diverged,  // finite, but out of all proportion: a point is further than 100 pup radii from its
-               // pup's centre, or forward Euler drives a body temperature away from equilibrium
-    escaped    // a pup is more than 100 pup radii beyond the wall
+    diverged,    // finite but far too large: a point is further than 100 pup radii from its pup's
+                 // centre, or forward Euler drives a body temperature away from equilibrium
+    escaped      // a pup is more than 100 pup radii beyond the wall
   };
   Kind kind = Kind::fine;
   Stage stage = Stage::boundary;  // the first stage whose result was bad
-  std::int64_t step = 0;          // the step that it happened in, counted from 1
+  std::int64_t step = 0;          // the step in which it happened, counted from 1
   int pup = -1;
   int point = -1;  // -1 where the quantity belongs to the whole pup
 
@@ -39,16 +49,17 @@ struct Status {
   std::string message() const;
 };
 
-/// What went wrong, in words as they stand in a message.
+/// The kind as it stands in a message.
 std::string_view kind_name(Status::Kind kind);
 
-/// One impossible state: what, when it was first seen, which pup. watch.h has the criteria.
+/// One impossible state: its kind, the step in which it was first seen, and the pup. engine/watch.h
+/// has the criteria.
 struct Warning {
   enum class Kind {
     sunk,           // a pup's centre is under the floor
-    hanging,        // nothing carries a pup, and it does not fall
+    hanging,        // a pup has no support and does not fall
     outside,        // a pup's centre is outside the wall
-    gaining_energy  // a pup is higher than start and drive can have brought it
+    gaining_energy  // a pup is higher than its energy at the start and the drive allow
   };
   Kind kind = Kind::sunk;
   std::int64_t step = 0;  // counted from 1

@@ -41,17 +41,21 @@ void PrintTo(const Case& c, std::ostream* out) {
 }
 
 const std::vector<Case> kCases{
-    {"paper", [] { return shipped("paper"); }, {"touching pairs", "observables"}},
+    {"paper",
+     [] { return shipped("paper"); },
+     {"touching pairs", "felt sides", "strain", "observables"}},
     {"single",
      [] { return shipped("single"); },
-     {"contact", "steering", "mean T_c", "observables"}},
+     {"contact", "steering", "mean T_c", "strain", "observables"}},
     {"rigid",
      [] { return shipped("rigid"); },
-     {"touching pairs", "quadratic terms", "observables"}},
-    {"no_heat", [] { return shipped("no_heat"); }, {"touching pairs", "heat", "observables"}},
+     {"touching pairs", "felt sides", "quadratic terms", "strain", "observables"}},
+    {"no_heat",
+     [] { return shipped("no_heat"); },
+     {"touching pairs", "felt sides", "heat", "strain", "observables"}},
     {"no_steering",
      [] { return shipped("no_steering"); },
-     {"touching pairs", "steering", "observables"}},
+     {"touching pairs", "steering", "strain", "observables"}},
     {"quiet",
      [] {
        Params p;
@@ -61,7 +65,8 @@ const std::vector<Case> kCases{
        p.precision = Precision::float_;
        return p;
      },
-     {"exposed share", "touched pups", "touching pairs", "steering", "heat", "observables"}},
+     {"exposed share", "touched pups", "touching pairs", "steering", "heat", "strain",
+      "observables"}},
     {"no_gain_by_the_body",
      [] {
        Params p;
@@ -69,14 +74,14 @@ const std::vector<Case> kCases{
        p.steering_gain = 0;
        return p;
      },
-     {"touching pairs", "turn", "observables"}},
+     {"touching pairs", "turn", "felt sides", "strain", "observables"}},
     {"no_heat_between_pups",
      [] {
        Params p;
        p.contact_conductance = 0;
        return p;
      },
-     {"touching pairs", "mean T_c", "observables"}},
+     {"touching pairs", "felt sides", "mean T_c", "strain", "observables"}},
     {"free",
      [] {
        Params p;
@@ -84,14 +89,14 @@ const std::vector<Case> kCases{
        p.face_points = 3;
        return p;
      },
-     {"touching pairs", "rotation", "observables"}},
+     {"touching pairs", "felt sides", "rotation", "strain", "observables"}},
     {"no_goals",
      [] {
        Params p;
        p.rigidity = 0;
        return p;
      },
-     {"touching pairs", "shape_match", "observables"}},
+     {"touching pairs", "felt sides", "shape_match", "observables"}},
     {"nobody",
      [] {
        Params p;

@@ -6,10 +6,10 @@
 #include "app/io/failure.h"
 #include "app/io/nearest.h"
 #include "app/io/text.h"
-#include "app/report/error.h"
-#include "app/report/error_own.h"
-#include "app/report/stability.h"
-#include "app/report/validation.h"
+#include "app/report/error/error.h"
+#include "app/report/error/own_run.h"
+#include "app/report/stability/stability.h"
+#include "app/report/validation/validation.h"
 
 namespace pupflow::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/error_scenes.h"
-#include "app/report/rotations.h"
+#include "app/report/error/rotations.h"
+#include "app/report/error/scenes/scenes.h"
 #include "engine/rotation.h"
 #include "pupflow/simulation.h"
 

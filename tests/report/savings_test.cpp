@@ -1,5 +1,5 @@
 // What leaving out saves: left-out parts cost nothing, and forced in they change no bit.
-#include "app/report/savings.h"
+#include "app/report/savings/savings.h"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include "app/io/failure.h"
 #include "app/io/scene_file.h"
 #include "app/report/report.h"
-#include "app/report/stage_timer.h"
+#include "app/report/savings/stage_timer.h"
 #include "pupflow/simulation.h"
 #include "tests/support/scratch.h"
 

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "app/report/validation_flow.h"
-#include "app/report/validation_heat.h"
-#include "app/report/validation_readings.h"
-#include "app/report/validation_symmetry.h"
-#include "app/report/validation_units.h"
+#include "app/report/validation/flow.h"
+#include "app/report/validation/heat.h"
+#include "app/report/validation/readings.h"
+#include "app/report/validation/symmetry.h"
+#include "app/report/validation/units.h"
 #include "pupflow/ensemble.h"
 #include "pupflow/simulation.h"
 

@@ -13,7 +13,7 @@
 namespace pupflow::report {
 namespace {
 
-SceneResult quick(const Scene& scene) {
+SceneResult quick(const ErrorScene& scene) {
   Options options;
   options.quick = true;
   options.quiet = true;

@@ -184,7 +184,7 @@ TEST(Savings, ATableOfThem) {
               ElementsAre(HasSubstr("steps 11 to 20"),
                           "Left out: steering (drive = 0); quadratic terms (beta = 0).",
                           HasSubstr("the hash of the whole state is 0000000000000abc"),
-                          HasSubstr("0000000000000def either way")));
+                          HasSubstr("0000000000000def in both cases")));
 }
 
 TEST(Savings, AChangedBitIsADefect) {
@@ -197,7 +197,8 @@ TEST(Savings, AChangedBitIsADefect) {
     FAIL();
   } catch (const io::Failure& failure) {
     EXPECT_EQ(failure.code(), io::ExitCode::bad_numbers);
-    EXPECT_THAT(failure.what(), HasSubstr("by step 20 quadratic terms forced in"));
+    EXPECT_THAT(failure.what(),
+                HasSubstr("quadratic terms forced in has changed the state after step 20"));
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 /// Adds changes to a list, one group after the other.
 class Changes {
  public:
-  explicit Changes(const Params& base) : base_(base) { list_.push_back({"", "as it is", base}); }
+  explicit Changes(const Params& base) : base_(base) { list_.push_back({"", "unchanged", base}); }
 
   template <class Edit>
   void add(const std::string& group, const std::string& label, Edit edit) {

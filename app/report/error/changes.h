@@ -1,4 +1,4 @@
-// What a user can change about how a run is computed.
+// The settings of a run that a user can change.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace pupflow::report {
 
-/// One setting to run: parameters, with the steps and the discard that its means are over.
+/// One setting: its parameters include the steps and the discard of its means.
 struct Change {
   std::string group;  // what is changed, e.g. "time step"; empty for the base
   std::string label;  // to what, e.g. "dt = 0.005, naive"
-  Params params;      // may be unsound: then the change is not possible here
+  Params params;      // may be invalid: then the change is not possible here
 };
 
 /// `base` first, then: twice and half its time step, consistent refinement, fewer and more points a

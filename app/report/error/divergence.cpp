@@ -1,10 +1,10 @@
-// How fast two litters part that start 1e-9 from each other.
+// How fast two litters diverge that start 1e-9 from each other.
 #include <algorithm>
 #include <cmath>
 
 #include "app/io/progress.h"
 #include "app/report/error/litter.h"
-#include "app/report/error/pups.h"
+#include "engine/bodies.h"
 
 namespace pupflow::report {
 namespace {
@@ -16,7 +16,7 @@ double distance(const Simulation& a, const Simulation& b) {
   double sum = 0;
   int count = 0;
   for (int pup = 0; pup < a.pups(); ++pup) {
-    const Points one = points_of(a, pup), other = points_of(b, pup);
+    const Points one = of_pup(a.view().positions, pup), other = of_pup(b.view().positions, pup);
     for (std::size_t i = 0; i < one.size(); ++i, ++count) sum += (one[i] - other[i]).squaredNorm();
   }
   return std::sqrt(sum / count);
@@ -27,9 +27,8 @@ std::vector<double> distances(const Params& params, int samples, io::Progress& p
                               std::int64_t& done) {
   Simulation one(params);
   Simulation other = one;
-  Points pushed = points_of(one, 0);
-  for (Eigen::Vector3d& p : pushed) p.x() += kPush;
-  place(other, 0, Eigen::Vector3d::Zero(), pushed, velocities_of(one, 0));
+  const LitterView start = one.view();
+  place(other, 0, shifted(of_pup(start.positions, 0), {kPush, 0, 0}), of_pup(start.velocities, 0));
   std::vector<double> apart{distance(one, other)};
   for (int i = 0; i < samples; ++i) {
     stop_if_interrupted();
@@ -41,27 +40,27 @@ std::vector<double> distances(const Params& params, int samples, io::Progress& p
   return apart;
 }
 
-/// What the parting of two litters comes to.
-struct Parting {
+/// How the distance of two litters grows.
+struct Growth {
   double steepest = 0;  // per second, over the half second in which ln of the distance grows most
   double mean = 0;      // per second, from the first growth to a hundredth of a radius
   double visible = std::nan("");  // model seconds until the distance is a hundredth of a radius
 };
 
-Parting parting_of(const std::vector<double>& apart, const Params& params) {
-  Parting parting;
+Growth growth_of(const std::vector<double>& apart, const Params& params) {
+  Growth growth;
   const double sample = 10 * params.dt, limit = params.pup_radius / 100;
   std::size_t begin = 0, end = 0;
   while (begin + 1 < apart.size() && apart[begin + 1] < 2 * apart[0]) ++begin;
   end = begin;
   while (end + 1 < apart.size() && apart[end] < limit) ++end;
-  if (apart[end] >= limit) parting.visible = static_cast<double>(end) * sample;
+  if (apart[end] >= limit) growth.visible = static_cast<double>(end) * sample;
   const double seconds = std::max(1.0, static_cast<double>(end - begin)) * sample;
-  parting.mean = std::log(apart[end] / apart[begin]) / seconds;
+  growth.mean = std::log(apart[end] / apart[begin]) / seconds;
   for (std::size_t i = 0; i + 5 <= end; ++i) {
-    parting.steepest = std::max(parting.steepest, std::log(apart[i + 5] / apart[i]) / (5 * sample));
+    growth.steepest = std::max(growth.steepest, std::log(apart[i + 5] / apart[i]) / (5 * sample));
   }
-  return parting;
+  return growth;
 }
 
 }  // namespace
@@ -84,18 +83,18 @@ void divergence_section(Report& report) {
       csv.cell(std::int64_t{seed}).cell(10 * params.dt * static_cast<double>(i));
       csv.cell(apart[i]).end_row();
     }
-    const Parting parting = parting_of(apart, params);
-    mean += parting.mean / litters;
-    shortest = std::fmin(shortest, parting.visible);
+    const Growth growth = growth_of(apart, params);
+    mean += growth.mean / litters;
+    shortest = std::fmin(shortest, growth.visible);
     rows.push_back(
-        {std::to_string(seed), rounded(parting.steepest), rounded(parting.mean),
-         std::isfinite(parting.visible) ? rounded(parting.visible) + " s" : "later than the run"});
+        {std::to_string(seed), rounded(growth.steepest), rounded(growth.mean),
+         std::isfinite(growth.visible) ? rounded(growth.visible) + " s" : "later than the run"});
   }
   csv.commit();
-  report.heading("8. The litter: how fast two runs part");
+  report.heading("8. The litter: how fast two runs diverge");
   report.text(
-      "Pairs of litters at T_a = 0.2 whose first pup starts 10⁻⁹ further to the side in one of "
-      "them: the root mean square distance of their points.");
+      "Pairs of litters at T_a = 0.2. In one of each pair the first pup starts 10⁻⁹ further along "
+      "x. The distance is the root mean square distance of their points.");
   std::string body =
       "  set logscale y\n  set format y '10^{%L}'\n  set xlabel 'model seconds'\n  set ylabel "
       "'distance'\n  set grid lc '#dddddd'\n  set key bottom right\n  plot ";
@@ -106,18 +105,17 @@ void divergence_section(Report& report) {
             " ? column('time') : NaN):(column('distance')) with lines lw 1.6 title 'seed " + text +
             "'";
   }
-  report.figure("divergence", "Distance of two litters that started 1e-9 apart", body + "\n",
-                params);
+  report.figure("divergence", "Distance of two litters that start 1e-9 apart", body + "\n", params);
   report.table(rows);
   // From the last digit of a double (1e-16 of the arena) to a hundredth of a radius.
   const double rounding = std::log(params.pup_radius / 100 / 1e-16) / mean;
   report.text("On average a difference grows by a factor e in " + rounded(1 / mean, 2) +
               " s once the pups touch. **What this means:** after about " + rounded(rounding, 2) +
               " model seconds of contact even two runs that differ by the rounding of one double "
-              "are two different litters. So compare means over seeds, never single runs made with "
-              "different settings, precision or step; and do not take the path of one litter for a "
-              "prediction. What can be relied on is that the same parameters and seed give the "
-              "same bits, on every machine that this program runs on.");
+              "are two different litters. So compare means over seeds, never single runs with "
+              "different settings, precision or step, and do not use the path of one litter as a "
+              "prediction. The same parameters and seed give the same bits on every machine that "
+              "this program runs on.");
 }
 
 }  // namespace pupflow::report

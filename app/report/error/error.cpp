@@ -11,27 +11,25 @@ namespace {
 
 void introduce(Report& report) {
   report.text(
-      "How exact is a run, and what does it cost? Six scenes with a right answer, in which nothing "
-      "is chaotic, are computed with each method and setting that a user can choose; then the "
-      "litter, which is chaotic, by its means. [The scenes in short](#the-scenes-in-short) "
-      "is the summary.");
+      "How large is the error of a run, and how long does it take? Six scenes that are not chaotic "
+      "and have a reference solution are computed with each method and setting that a user can "
+      "choose. The litter is chaotic, so its means are compared. "
+      "[Summary of the scenes](#summary-of-the-scenes) has the main numbers.");
   report.text(
-      "**How to read it.** An error is the root mean square of the difference from the right "
-      "answer over the samples of a scene (every 0.02 s), divided by the root mean square of the "
-      "right answer (in scene 3, by the amplitude at first): 0.01 is one per cent. In brackets "
-      "behind it stands the observed order of "
-      "convergence, log₂ of the error of the row before over this one's: 1 means that half the "
-      "step makes half the error. Times are those of the steps on one core, the shortest of "
-      "several runs (processor time: wall time, less what other work on the machine takes). "
-      "*Consistent* and *naive* are the values of `refinement`: with consistent refinement a "
-      "smaller step moves the same body, with naive refinement α is taken as it is. At dt = 0.01 "
-      "both are the default, so they share that point. Times are of the steps alone, whatever a "
-      "scene does between them.");
+      "**How to read it.** An error is the root mean square of the difference from the reference "
+      "over the samples of a scene (every 0.02 s), divided by the root mean square of the "
+      "reference (in scene 3, by the amplitude at first): 0.01 is one per cent. The number in "
+      "brackets is the observed order of convergence, log₂ of the error of the row before over the "
+      "error of this row: 1 means that half the step gives half the error. Times are the processor "
+      "time of the steps alone on one core, the shortest of several runs. *Consistent* and *naive* "
+      "are the values of `refinement`: with consistent refinement a smaller step moves the same "
+      "body; with naive refinement α does not change with the step. At dt = 0.01 both are the "
+      "default, so they share that point.");
 }
 
 using Wanted = std::function<bool(const Params&)>;
 
-/// The errors of the first setting that is wanted, and its share of the default's time.
+/// The errors of the first setting for which `wanted` is true, and its time over the default's.
 std::string cell_of(const SceneResult& result, const Wanted& wanted) {
   for (const MeasuredCurve& curve : result.curves) {
     for (const Measured& point : curve.points) {
@@ -46,8 +44,8 @@ std::string cell_of(const SceneResult& result, const Wanted& wanted) {
   return "";
 }
 
-/// What each scene says about the choices that most users face.
-void sum_up(Report& report, const std::vector<std::pair<Scene, SceneResult>>& scenes) {
+/// A table of the choices that most users have, a row for each scene.
+void sum_up(Report& report, const std::vector<std::pair<ErrorScene, SceneResult>>& scenes) {
   std::vector<io::Row> rows{
       {"scene", "errors of", "default", "dt = 0.02", "float", "consistent, dt = 0.01/4"}};
   const auto step_is = [](const Params& p, double dt, Refinement refinement) {
@@ -67,15 +65,14 @@ void sum_up(Report& report, const std::vector<std::pair<Scene, SceneResult>>& sc
          cell_of(result,
                  [&](const Params& p) { return step_is(p, 0.01 / 4, Refinement::consistent); })});
   }
-  report.heading("The scenes in short");
+  report.heading("Summary of the scenes");
   report.text(
-      "Errors as above, and in brackets the time in units of the default's. For these one or two "
-      "pups twice the step takes half to two thirds of the time, and what that costs stands under "
-      "dt = 0.02; for a litter it saves less, and in the cold nothing, since softer pups touch "
-      "more (section 7). Note what the right answer is: not nature, but the limit of fine steps of "
-      "the same body. The paper's "
-      "model has dt = 0.01 in it, and its results are those of the default, errors included. "
-      "Scene 5 is left out: its default has no error but rounding.");
+      "Errors as above; in brackets the time over the default's time. For one or two pups twice "
+      "the step takes half to two thirds of the time, with the errors of the column dt = 0.02. For "
+      "a litter it saves less, and nothing in the cold, since softer pups touch more (section 7). "
+      "The reference is the limit of fine steps of the same body, not an observation. The paper's "
+      "model includes dt = 0.01, so its results are those of the default with these errors. Scene "
+      "5 is not listed: its default has no error but rounding.");
   report.table(rows);
 }
 
@@ -84,10 +81,9 @@ void sum_up(Report& report, const std::vector<std::pair<Scene, SceneResult>>& sc
 void report_error(const Options& options) {
   Report report(options, "Error against run time");
   introduce(report);
-  std::vector<std::pair<Scene, SceneResult>> scenes;
-  for (const auto& make :
-       {fall_scene, spin_scene, squeeze_scene, press_scene, cooling_scene, steering_scene}) {
-    const Scene scene = make(options.quick);
+  std::vector<std::pair<ErrorScene, SceneResult>> scenes;
+  for (const auto make : kErrorScenes) {
+    const ErrorScene scene = make(options.quick);
     const SceneResult result = measure(scene, options);
     show(report, scene, result);
     scenes.emplace_back(scene, result);

@@ -1,4 +1,4 @@
-// pupflow report error: how exact each way of computing is, against the time it takes.
+// pupflow report error: the error of each method and setting against its run time.
 #pragma once
 
 #include "app/report/report.h"

@@ -7,6 +7,7 @@
 #include "app/io/nearest.h"
 #include "app/io/text.h"
 #include "app/report/error/paired.h"
+#include "app/report/statistics.h"
 
 namespace pupflow::report {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 
 void check_run(const OwnRun& run, std::int64_t seeds) {
   const Params& p = run.params;
-  if (p.pups == 0) refuse("pups = 0: there is nothing to take means of; pups must be at least 1");
+  if (p.pups == 0) refuse("pups = 0: there are no means without pups; pups must be at least 1");
   if (p.discard >= p.steps) {
     refuse("discard = " + std::to_string(p.discard) + " leaves out all " + std::to_string(p.steps) +
            " steps, so there are no means; discard must be below steps");
@@ -26,9 +27,9 @@ void check_run(const OwnRun& run, std::int64_t seeds) {
   last.seed += seeds - 1;
   if (!check(last).empty()) {
     refuse("seed = " + std::to_string(p.seed) + ": the last of " + std::to_string(seeds) +
-           " seeds would be too large; start lower");
+           " seeds would be too large; choose a lower seed");
   }
-  const std::vector<std::string> names = observables();
+  const std::vector<std::string> names = statistic_names();
   for (const std::string& wanted : run.observables) {
     if (std::find(names.begin(), names.end(), wanted) != names.end()) continue;
     std::string listed;
@@ -44,7 +45,7 @@ std::string seeds_words(std::int64_t seeds) {
   return std::to_string(seeds) + (seeds == 1 ? " seed" : " seeds");
 }
 
-/// What the change that `wanted` picks does to an observable; `what` says it in words.
+/// The effect on an observable of the change for which `wanted` is true; `what` names that change.
 template <class Wanted>
 std::string change_words(const Paired& paired, std::size_t observable, const std::string& what,
                          Wanted wanted) {
@@ -58,7 +59,7 @@ std::string change_words(const Paired& paired, std::size_t observable, const std
          (change.beyond_chance() ? "more than" : "within") + " its interval.";
 }
 
-/// How exact one observable is, and what half or twice the time would give.
+/// The interval of one observable, and what it would be for half and twice the time.
 std::string answer(const Paired& paired, std::size_t observable) {
   const Compared& base = paired.rows.front();
   const std::string& name = paired.observables[observable];
@@ -68,7 +69,7 @@ std::string answer(const Paired& paired, std::size_t observable) {
   std::string text = name + " " + words_of(mean) + " (95 %, " + seeds_words(good) + ", " +
                      rounded(base.seconds) + " CPU s).";
   if (mean.interval == 0) {
-    text += " All seeds give the same, so time for more of them buys nothing.";
+    text += " All seeds give the same value, so more seeds do not change it.";
   } else {
     const auto with = [&](std::int64_t seeds) {
       return seeds_words(seeds) +
@@ -84,14 +85,14 @@ std::string answer(const Paired& paired, std::size_t observable) {
                       [&](const Params& p) {
                         return p.dt == own.dt / 2 && p.refinement == own.refinement;
                       }) +
-         change_words(paired, observable, "Going on for twice the steps", [&](const Params& p) {
+         change_words(paired, observable, "Running twice the steps", [&](const Params& p) {
            return p.dt == own.dt && p.steps == 2 * own.steps && p.discard == own.discard;
          });
 }
 
 std::string guide(const Paired& paired) {
   return "Every row has the same " + seeds_words(paired.seeds) + ". " + how_to_read() +
-         " With `naive` another step is another, harder or softer body; "
+         " With `naive` another step means another body, harder or softer; "
          "`consistent` keeps the body (docs/numerics.md, Time step and refinement).";
 }
 
@@ -101,8 +102,9 @@ OwnAnswer report_own_error(const Options& options, const OwnRun& run) {
   const std::int64_t seeds = run.seeds > 0 ? run.seeds : options.quick ? 5 : 20;
   check_run(run, seeds);
   PairedWork work{"error", changes_of(run.params, 2), seeds, run.observables};
-  if (work.observables.empty()) work.observables = {"huddling", "mean_tb"};
-  Report report(options, "How exact is this run" + (run.title.empty() ? "" : ": " + run.title));
+  if (work.observables.empty())
+    work.observables = {statistic_name(Observable::huddling), statistic_name(Observable::mean_tb)};
+  Report report(options, "The error of this run" + (run.title.empty() ? "" : ": " + run.title));
   const Paired paired = compare(work, options);
   OwnAnswer result;
   for (std::size_t i = 0; i < paired.observables.size(); ++i) {

@@ -7,9 +7,9 @@
 
 #include "app/io/interrupt.h"
 #include "app/io/text.h"
-#include "app/report/error/pups.h"
+#include "app/report/error/sampling.h"
 #include "app/report/share_out.h"
-#include "app/study/results.h"
+#include "app/report/statistics.h"
 #include "pupflow/observer.h"
 
 namespace pupflow::report {
@@ -22,11 +22,11 @@ struct Cell {
   Status status;
   std::string warnings;  // of the engine, in words
   double seconds = 0;
-  std::vector<double> means;  // of all observables
+  std::vector<double> means;  // run_statistics()
   bool good() const { return status.ok(); }
 };
 
-/// One run that serves all changes which differ in nothing but the steps that they look at.
+/// One run that serves all changes which differ only in the steps of their means.
 struct Job {
   Params params;
   std::vector<std::size_t> rows;
@@ -56,15 +56,6 @@ std::vector<Job> jobs_of(const std::vector<Compared>& rows) {
   return jobs;
 }
 
-std::vector<double> numbers_of(const RunMeans& means) {
-  study::Row row;
-  row.means = means.means();
-  row.exposed_sd = means.exposed_sd();
-  std::vector<double> numbers;
-  for (std::size_t i = 0; i < kRunStatisticCount; ++i) numbers.push_back(study::statistic(row, i));
-  return numbers;
-}
-
 /// Runs a job with one seed and fills `cells`, one for each of its rows.
 void run_job(const Job& job, std::int64_t seed, const std::vector<Compared>& rows,
              std::vector<Cell>& cells) {
@@ -77,7 +68,7 @@ void run_job(const Job& job, std::int64_t seed, const std::vector<Compared>& row
   for (const std::size_t row : job.rows) means.emplace_back(rows[row].change.params.discard);
   const auto close = [&](std::size_t i) {
     cells[i] = {simulation.status(), warnings_text(simulation.warnings()), thread_seconds() - begin,
-                numbers_of(means[i])};
+                statistics_of(means[i])};
   };
   // As in run_to_end: the first pup flow in the means compares with the step flow_lag before.
   const std::int64_t first = std::max<std::int64_t>(params.discard - params.flow_lag, 0);
@@ -100,7 +91,7 @@ void run_job(const Job& job, std::int64_t seed, const std::vector<Compared>& row
   }
 }
 
-/// Why a change cannot be run, or has nothing to take a mean of.
+/// Why a change cannot be run or has no means; else empty.
 std::string refusal(const Params& params) {
   const std::vector<Problem> problems = check(params);
   if (!problems.empty()) return problems.front().message;
@@ -129,18 +120,12 @@ std::string Compared::trouble(std::int64_t seeds) const {
   if (!refused.empty()) return refused;
   const std::string of = " of " + std::to_string(seeds) + " runs ";
   std::string text;
-  if (bad > 0) text = std::to_string(bad) + of + "went bad, the first with " + first_bad.message();
+  if (bad > 0) text = std::to_string(bad) + of + "failed, the first with " + first_bad.message();
   if (warned > 0) {
     text += (text.empty() ? "" : "; ") + std::to_string(warned) + of +
             "ended with a warning, the first with " + first_warning;
   }
   return text;
-}
-
-std::vector<std::string> observables() {
-  std::vector<std::string> names;
-  for (const Field& field : run_statistics()) names.emplace_back(field.name);
-  return names;
 }
 
 Paired compare(const PairedWork& work, const Options& options) {
@@ -164,7 +149,7 @@ Paired compare(const PairedWork& work, const Options& options) {
       cells[job.rows[k]][static_cast<std::size_t>(i / count)] = std::move(own[k]);
     }
   });
-  const std::vector<std::string> names = observables();
+  const std::vector<std::string> names = statistic_names();
   for (std::size_t r = 0; r < paired.rows.size(); ++r) {
     Compared& row = paired.rows[r];
     if (!row.refused.empty()) {

@@ -1,4 +1,4 @@
-// A run held against runs with other settings, seed by seed.
+// A run compared with runs that have other settings, seed by seed.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +12,26 @@
 
 namespace pupflow::report {
 
-/// What one change came to.
+/// The results of one change.
 struct Compared {
   Change change;
-  std::string refused;                // why it was not run, or has no means; empty where it has
-  std::int64_t bad = 0;               // runs whose numbers went wrong
+  std::string refused;                // why it was not run or has no means; else empty
+  std::int64_t bad = 0;               // runs that ended with a bad status
   Status first_bad;                   // of the lowest of their seeds
-  std::int64_t warned = 0;            // runs with a warning (engine/warning.h), good or bad
+  std::int64_t warned = 0;            // runs with a warning (pupflow/status.h), good or bad
   std::string first_warning;          // of the lowest of their seeds
   double seconds = 0;                 // processor time of all its runs
   std::vector<Estimate> means;        // over its good runs, by observable
   std::vector<Estimate> differences;  // from the base, over seeds that were good in both
 
-  /// What is wrong with the row in a few words, e.g. "3 of 20 runs went bad, the first
-  /// with ..."; empty for nothing.
+  /// What is wrong with the row, e.g. "3 of 20 runs failed, the first with ..."; empty if nothing
+  /// is.
   std::string trouble(std::int64_t seeds) const;
 };
 
 /// A base and its changes, over the same seeds.
 struct Paired {
-  std::vector<std::string> observables;  // by name, as study/results.h has them
+  std::vector<std::string> observables;  // names of run statistics
   std::int64_t seeds = 0;
   std::vector<Compared> rows;  // the base first
 };
@@ -40,7 +40,7 @@ struct Paired {
 struct PairedWork {
   std::string name;             // for the progress
   std::vector<Change> changes;  // the base first
-  std::int64_t seeds = 0;       // as many, at least 2, from the base's seed on
+  std::int64_t seeds = 0;       // how many, at least 2; the first is the base's seed
   std::vector<std::string> observables;
 };
 
@@ -48,20 +48,17 @@ struct PairedWork {
 /// alone share their runs. Throws io::Failure (interrupted).
 Paired compare(const PairedWork& work, const Options& options);
 
-/// Names of all observables that can be asked for.
-std::vector<std::string> observables();
-
-/// The interval that the base's mean would have with another number of seeds.
+/// The interval of the base's mean for another number of seeds.
 double interval_with(const Paired& paired, std::size_t observable, std::int64_t seeds);
 
-/// "0.571 ± 0.012": the interval in two digits, the mean to the same place; `sign` puts a + before
-/// a positive mean.
+/// "0.571 ± 0.012": the interval has two significant digits, the mean as many decimals; with `sign`
+/// a positive mean has a +.
 std::string words_of(const Estimate& estimate, bool sign = false);
 
 /// How to read the table and the plot of a comparison, for the page.
 std::string how_to_read();
 
-/// Puts a comparison on the page: NAME.csv, a plot NAME with `caption`, and a table.
+/// Adds a comparison to the page: NAME.csv, a plot NAME with `caption`, and a table.
 void show(Report& report, const std::string& name, const std::string& caption,
           const Paired& paired);
 

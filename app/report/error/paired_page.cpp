@@ -1,4 +1,4 @@
-// How a comparison seed by seed looks on the page.
+// The page of a comparison seed by seed.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,7 +16,7 @@ std::string without_commas(std::string text) {
   return text;
 }
 
-/// Rows that say what more or fewer seeds would give.
+/// A row of the intervals for another number of seeds.
 struct SeedRow {
   std::int64_t seeds;
   double seconds;
@@ -113,7 +113,7 @@ void add_table(Report& report, const Paired& paired) {
   }
 }
 
-/// Whether a panel with logarithmic axes would have anything on it.
+/// Whether a panel with logarithmic axes would show a point.
 bool drawable(const Paired& paired, std::size_t observable) {
   return std::any_of(paired.rows.begin(), paired.rows.end(), [&](const Compared& row) {
     const Estimate& change = row.differences[observable];
@@ -201,13 +201,13 @@ std::string words_of(const Estimate& estimate, bool sign) {
 }
 
 std::string how_to_read() {
-  return "A change is the mean difference from the base, seed by seed; ± is half of its own 95 % "
-         "interval (Student's t), and bold print means that the interval leaves out 0. One change "
-         "in twenty does so by chance. CPU seconds are those of all runs of a row; rows that "
-         "differ in steps and discard alone share their runs. Rows with another step cover the "
-         "same model seconds. Flow is over `flow_lag` steps in every row, so with another step it "
-         "is over another time. In the plots a triangle is an upper bound, where the interval "
-         "holds 0.";
+  return "A change is the mean difference from the base, seed by seed; ± is half of its 95 % "
+         "interval (Student's t), and bold print means that the interval does not contain 0. By "
+         "chance this happens to one change in twenty. CPU seconds are those of all runs of a row; "
+         "rows that differ only in steps and discard share their runs. Rows with another step "
+         "cover the same model seconds. Flow is over `flow_lag` steps in every row, so with "
+         "another step it is over another time. In the plots a triangle is an upper bound: the "
+         "interval contains 0.";
 }
 
 void show(Report& report, const std::string& name, const std::string& caption,

@@ -27,7 +27,7 @@ Matrix3d by_closed_form(const Matrix3d& a) {
 }
 
 Matrix3d by_horn(const Matrix3d& a) {
-  // Of the quaternion that turns the columns of the identity onto those of a.
+  // Horn's matrix for the quaternion that turns the columns of the identity onto those of a.
   const Vector3d twist(a(2, 1) - a(1, 2), a(0, 2) - a(2, 0), a(1, 0) - a(0, 1));
   Eigen::Matrix4d horn;
   horn(0, 0) = a.trace();
@@ -152,8 +152,8 @@ Aside rotation_aside(const Params& params, std::vector<std::size_t> quantities) 
   };
   return {"rotations",
           "Rotation routines",
-          "dt = 0.01, with another routine for the rotation, held against singular values at the "
-          "same step: what is seen is the error of the routine alone. Times leave out boundaries "
+          "dt = 0.01, with another routine for the rotation, compared with singular values at the "
+          "same step. So the error is that of the routine alone. Times do not include boundaries "
           "and checks.",
           with(Routine::svd, "singular values"),
           {with(Routine::engine, "Newton (default)"), with(Routine::closed_form, "closed form"),

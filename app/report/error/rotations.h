@@ -1,4 +1,4 @@
-// Other ways to the rotation of shape matching, for comparison with the engine's, and a weightless
+// Other methods for the rotation of shape matching, to compare with the engine's, and a weightless
 // pup that is stepped with any of them.
 #pragma once
 
@@ -6,12 +6,13 @@
 #include <Eigen/Geometry>
 #include <functional>
 
-#include "app/report/error/pups.h"
+#include "app/report/error/sampling.h"
+#include "engine/bodies.h"
 
 namespace pupflow::report {
 
-/// Ways to the proper rotation nearest to a matrix. Those of Mueller 2016 start where the last step
-/// ended, and take 1, 3 or 5 iterations.
+/// Methods for the proper rotation nearest to a matrix. Those of Mueller 2016 start from the
+/// rotation of the last step and take 1, 3 or 5 iterations.
 enum class Routine {
   engine,       // nearest_rotation: Newton's iteration (Higham 1986)
   svd,          // Eigen's two-sided Jacobi singular values
@@ -34,15 +35,15 @@ class RotationFinder {
   Eigen::Quaterniond last_;
 };
 
-/// Steps one weightless pup through `samples` times kSample, as the engine's step does it, but for
-/// the rotation, which is that of `routine`, and without what such a pup does not need: boundaries,
-/// bounds and checks. `look` sees points and velocities. Throws io::Failure(interrupted).
+/// Steps one weightless pup through `samples` times kSample as the engine does, with the rotation of
+/// `routine` and without boundaries, bounds and checks. Calls `look` with points and velocities
+/// after each kSample. Throws io::Failure(interrupted).
 using LookAtPoints = std::function<void(const Points&, const Points&, Trajectory&)>;
 Outcome run_with_rotation(const Params& params, Routine routine, const Points& points,
                           const Points& velocities, int samples, std::size_t quantities,
                           const LookAtPoints& look);
 
-/// All routines at the default step, against the singular values' at the same step.
+/// All routines at the default step; singular values at the same step are the reference.
 Aside rotation_aside(const Params& params, std::vector<std::size_t> quantities);
 
 }  // namespace pupflow::report

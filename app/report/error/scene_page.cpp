@@ -1,4 +1,4 @@
-// How a measured scene looks on the page.
+// The page of a measured scene.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,7 +24,7 @@ void write_row(io::CsvFile& csv, const std::string& curve, const Measured& point
   csv.end_row();
 }
 
-std::string columns_of(const Scene& scene) {
+std::string columns_of(const ErrorScene& scene) {
   std::string columns = "method,setting,dt,seconds";
   for (const Quantity& q : scene.quantities) columns += ",error_" + q.name;
   for (const Quantity& q : scene.quantities) columns += ",order_" + q.name;
@@ -32,8 +32,8 @@ std::string columns_of(const Scene& scene) {
 }
 
 std::string cell_of(const Measured& point, std::size_t q) {
-  if (!point.status.ok()) return "step " + std::to_string(point.status.step) + ": lost";
-  if (!std::isfinite(point.errors[q])) return "beyond numbers";
+  if (!point.status.ok()) return "step " + std::to_string(point.status.step) + ": failed";
+  if (!std::isfinite(point.errors[q])) return "not finite";
   std::string text = rounded(point.errors[q], 2);
   if (std::isfinite(point.orders[q])) text += " (" + rounded(point.orders[q], 2) + ")";
   return text;
@@ -42,9 +42,9 @@ std::string cell_of(const Measured& point, std::size_t q) {
 /// A table of some quantities, a row at a time.
 class Table {
  public:
-  Table(const Scene& scene, io::Row head, std::vector<std::size_t> quantities)
+  Table(const ErrorScene& scene, io::Row head, std::vector<std::size_t> quantities)
       : quantities_(std::move(quantities)) {
-    head.emplace_back("ms a model second");
+    head.emplace_back("ms per model second");
     for (const std::size_t q : quantities_) {
       head.push_back("error of " + scene.quantities[q].title);
     }
@@ -64,11 +64,12 @@ class Table {
   std::vector<io::Row> rows_;
 };
 
-/// The rows of one file that `condition` picks, with a style. Errors below the plot's lower edge
-/// are drawn on it as triangles that point down: upper bounds.
-std::string points_text(const Scene& scene, const std::string& file, const std::string& condition,
-                        const Quantity& quantity, const std::string& style,
-                        const std::string& color, const std::string& title) {
+/// Plots the rows of one file for which `condition` is true. Errors below the plot's lower edge are
+/// drawn on it as triangles that point down: upper bounds.
+std::string points_text(const ErrorScene& scene, const std::string& file,
+                        const std::string& condition, const Quantity& quantity,
+                        const std::string& style, const std::string& color,
+                        const std::string& title) {
   std::ostringstream s;
   const std::string error = "column('error_" + quantity.name + "')";
   const std::string pick = "'" + file + "' using (" + condition + " && " + error;
@@ -101,22 +102,23 @@ std::string guide_text(const SceneResult& result, std::size_t q) {
 }
 
 /// The key's entry for what is below the lower edge, where there is any.
-std::string bound_key(const Scene& scene, const std::vector<Measured>& points,
+std::string bound_key(const ErrorScene& scene, const std::vector<Measured>& points,
                       const std::vector<std::size_t>& quantities) {
   for (const Measured& point : points) {
     for (const std::size_t q : quantities) {
       if (point.errors[q] < scene.smallest_drawn) {
-        return ", \\\n       NaN with points pt 11 lc '#444444' title 'below the edge'";
+        return ", \\\n       NaN with points pt 11 lc '#444444' title 'below the lower edge'";
       }
     }
   }
   return "";
 }
 
-std::string panels_head(const Scene& scene, std::size_t panels, int width) {
+std::string panels_head(const ErrorScene& scene, std::size_t panels, int width) {
   std::ostringstream s;
   s << "  set yrange [" << scene.smallest_drawn
-    << ":*]\n  set logscale xy\n  set format '10^{%L}'\n  set xlabel 'time on one core, s a model "
+    << ":*]\n  set logscale xy\n  set format '10^{%L}'\n  set xlabel 'time on one core, s per "
+       "model "
        "second'\n"
     << "  set grid lt 1 lc rgb '#dddddd'\n  set multiplot layout 1," << panels << " margins "
     << 95.0 / width << ",0.97,0.4,0.92 spacing " << 115.0 / width << ",0\n";
@@ -135,7 +137,7 @@ constexpr int panels_width(std::size_t panels) {
   return std::max(900, 460 * static_cast<int>(panels) + 100);
 }
 
-std::vector<std::size_t> drawn_quantities(const Scene& scene) {
+std::vector<std::size_t> drawn_quantities(const ErrorScene& scene) {
   std::vector<std::size_t> drawn;
   for (std::size_t q = 0; q < scene.quantities.size(); ++q) {
     if (scene.quantities[q].drawn) drawn.push_back(q);
@@ -144,7 +146,7 @@ std::vector<std::size_t> drawn_quantities(const Scene& scene) {
 }
 
 /// One panel for each quantity that is drawn, one line for each curve.
-std::string plot_of(const Scene& scene, const SceneResult& result, int width) {
+std::string plot_of(const ErrorScene& scene, const SceneResult& result, int width) {
   const std::string file = scene.name + ".csv";
   const auto method = [](const std::string& name) { return "strcol('method') eq '" + name + "'"; };
   const std::vector<std::size_t> drawn = drawn_quantities(scene);
@@ -172,7 +174,7 @@ std::string plot_of(const Scene& scene, const SceneResult& result, int width) {
   return text + "  unset multiplot\n";
 }
 
-std::string reference_words(const Scene& scene, const SceneResult& result) {
+std::string reference_words(const ErrorScene& scene, const SceneResult& result) {
   std::string changes, differences;
   for (std::size_t q = 0; q < scene.quantities.size(); ++q) {
     if (result.reference_difference[q] == 0) continue;  // a closed form
@@ -181,15 +183,15 @@ std::string reference_words(const Scene& scene, const SceneResult& result) {
     changes += comma + rounded(100 * result.reference_change[q], 2) + " %" + of;
     differences += comma + rounded(result.reference_difference[q], 2) + of;
   }
-  const std::string text = "Right answer: " + scene.reference.label + ".";
+  const std::string text = "Reference: " + scene.reference.label + ".";
   if (changes.empty()) return text;
-  return text + " It and a run with twice its step differ by " + differences +
-         ", measured as an error. Taking that run instead changes the errors of the default and of "
-         "all refining settings by at most " +
+  return text + " A run with twice its step differs from it by " + differences +
+         ", measured as an error. With that run as the reference the errors of the default and of "
+         "all refining settings change by at most " +
          changes + ".";
 }
 
-/// Below this an error is rounding, whatever it is of.
+/// Below this an error is rounding.
 constexpr double kRounding = 1e-9;
 
 double largest_error(const Aside& aside, const std::vector<Measured>& points) {
@@ -203,8 +205,8 @@ double largest_error(const Aside& aside, const std::vector<Measured>& points) {
   return largest;
 }
 
-std::string aside_plot(const Scene& scene, const Aside& aside, const std::vector<Measured>& points,
-                       const std::string& file, int width) {
+std::string aside_plot(const ErrorScene& scene, const Aside& aside,
+                       const std::vector<Measured>& points, const std::string& file, int width) {
   std::string text = panels_head(scene, aside.quantities.size(), width);
   for (const std::size_t q : aside.quantities) {
     text += panel_head(scene.quantities[q], q == aside.quantities.front(), 4);
@@ -222,14 +224,14 @@ std::string aside_plot(const Scene& scene, const Aside& aside, const std::vector
   return text + "  unset multiplot\n";
 }
 
-void show_aside(Report& report, const Scene& scene, const Aside& aside,
+void show_aside(Report& report, const ErrorScene& scene, const Aside& aside,
                 const std::vector<Measured>& points) {
   report.subheading(aside.title);
   report.text(aside.about);
   const double largest = largest_error(aside, points);
   if (largest < kRounding) {
     report.text("All are within " + rounded(largest, 2) +
-                " of it in every quantity: there is nothing to choose.");
+                " of the reference in every quantity, so the choice does not matter.");
     return;
   }
   const std::string name = scene.name + "-" + aside.name;
@@ -244,7 +246,7 @@ void show_aside(Report& report, const Scene& scene, const Aside& aside,
   report.figure(name,
                 scene.title + ", " + aside.title +
                     ": error against run time, both logarithmic; a triangle on the lower edge is "
-                    "an error below it",
+                    "an error below that edge",
                 aside_plot(scene, aside, points, name + ".csv", width), aside.reference.params,
                 width, 540);
   report.table(table.rows());
@@ -252,7 +254,7 @@ void show_aside(Report& report, const Scene& scene, const Aside& aside,
 
 }  // namespace
 
-void show(Report& report, const Scene& scene, const SceneResult& result) {
+void show(Report& report, const ErrorScene& scene, const SceneResult& result) {
   report.heading(scene.title);
   report.text(scene.about);
   report.text(reference_words(scene, result));
@@ -273,7 +275,7 @@ void show(Report& report, const Scene& scene, const SceneResult& result) {
   report.figure(scene.name,
                 scene.title +
                     ": error against run time, both logarithmic; a triangle on the lower edge is "
-                    "an error below it",
+                    "an error below that edge",
                 plot_of(scene, result, width), scene.standard.params, width, 540);
   report.table(table.rows());
   for (std::size_t i = 0; i < scene.asides.size(); ++i) {

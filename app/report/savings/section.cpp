@@ -1,4 +1,4 @@
-// The section of the error report about what scenes leave out.
+// The section of the error report about the parts that scenes leave out.
 #include <limits>
 
 #include "app/io/scene_file.h"
@@ -16,13 +16,13 @@ io::Scene shipped(const std::string& name) {
 }
 
 void add_rows(io::CsvFile& csv, const std::string& scene, const Savings& savings) {
-  const auto add = [&](const Part& part, double saved) {
+  const auto add = [&](const PartCost& part, double saved) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     csv.cell(scene).cell(part.name).cell(std::int64_t{part.needed}).cell(part.planned);
     csv.cell(part.needed ? nan : part.forced).cell(part.needed ? nan : saved);
     csv.cell(agreement_words(part.agreement)).end_row();
   };
-  for (const Part& part : savings.parts) add(part, part.forced - part.planned);
+  for (const PartCost& part : savings.parts) add(part, part.forced - part.planned);
   add({"whole step", false, false, "", savings.planned_step, savings.full_step, savings.agreement},
       savings.saved);
 }
@@ -30,12 +30,12 @@ void add_rows(io::CsvFile& csv, const std::string& scene, const Savings& savings
 }  // namespace
 
 void savings_section(Report& report) {
-  report.heading("What a scene does not need");
+  report.heading("Parts of a step that a scene leaves out");
   report.text(
-      "Before a run the program works out which parts of a step can change its result, and leaves "
-      "out the others. Here each scene runs as planned and, in turn with that, with each part that "
-      "was left out forced in. Times are microseconds a step on one thread. `pupflow explain SCENE "
-      "--measure` makes such a table of any scene.");
+      "Before a run the program determines which parts of a step can change its result and leaves "
+      "out the others. Here each scene runs as planned and, in turn, with each left-out part "
+      "forced in. Times are microseconds per step on one thread. `pupflow explain SCENE --measure` "
+      "makes such a table for any scene.");
   io::CsvFile csv = report.csv("savings", Params{},
                                "scene,part,needed,planned_us,forced_us,saved_us,the_same_bits");
   MeasuredSteps steps;

@@ -79,7 +79,7 @@ MapResult compute_map(const StabilityMap& map, const Options& options) {
   share_out("map " + map.title, static_cast<std::int64_t>(runs.size()), options,
             [&](std::int64_t task) {
               const Run& run = runs[static_cast<std::size_t>(task)];
-              const auto trial = map.judge(run.params, io::interrupted);
+              const auto trial = map.classify(run.params, io::interrupted);
               if (trial) *run.trial = *trial;
             });
   return result;

@@ -1,4 +1,5 @@
-// Computing the maps of the stability report: each cell some runs, called by what most of them are.
+// Computing the maps of the stability report. A cell has several runs and the median of their
+// classes.
 #pragma once
 
 #include <vector>
@@ -13,12 +14,11 @@ struct Cell {
   std::vector<Trial> trials;
   std::string refused;  // why, if so
 
-  /// What most seeds say: the middle one of an odd number, in the order from good to bad. A
-  /// majority holds the middle.
+  /// The median of the classes of an odd number of runs, in the order from good to bad.
   Verdict verdict() const;
-  /// How many seeds say so.
+  /// How many runs have that class.
   int agreeing() const;
-  /// The worst of what the others say; nothing where all agree.
+  /// The worst of the other classes; empty where all agree.
   std::optional<Verdict> other() const;
   /// Mean of a measure over the runs that ended; 0 where none did.
   double mean(double Trial::*measure) const;

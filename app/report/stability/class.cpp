@@ -10,16 +10,15 @@
 namespace pupflow::report {
 namespace {
 
-constexpr std::int64_t kStepsBetweenAsking = 50;
+constexpr std::int64_t kStepsBetweenStops = 50;
 constexpr std::int64_t kStepsBetweenOverlaps = 25;  // bodies overlap for longer than that
 
 using Kind = Status::Kind;
 
-// Light to dark as from good to bad; any two are told apart by colour-blind readers, too (colour
-// difference CIEDE2000 above 20 in normal sight, protanopia, deuteranopia and tritanopia, after
+// Light to dark from good to bad. Color-blind readers can tell any two apart (color difference CIEDE2000 above 20 in normal sight, protanopia, deuteranopia and tritanopia, after
 // Machado, Oliveira & Fernandes 2009).
 constexpr std::array<Class, kVerdicts> kClasses{{
-    {"stable", "none of the below", nullptr, 0, {}, Kind::fine, "#E6EDF2"},
+    {"stable", "none of the following", nullptr, 0, {}, Kind::fine, "#E6EDF2"},
     {"ringing",
      "Deformation energy does not settle: its standard deviation in time, mean over pups. 0.001 is "
      "a swing of all points by some 3 % of the radius.",
@@ -36,17 +35,18 @@ constexpr std::array<Class, kVerdicts> kClasses{{
      Kind::fine,
      "#90BBFD"},
     {"heating",
-     "Kinetic energy without a cause: mean over pups and time, over f 2 r_arena + g z, which is "
-     "what the drive gives across the arena and a fall from where the highest pup was at half "
-     "time. Or the engine warns that a pup is higher than start and drive can have brought it.",
+     "More kinetic energy than drive and gravity can give: mean over pups and time, over 2 f "
+     "r_arena + g z, the energy of the drive across the arena and of a fall from the height of the "
+     "highest pup at half time. Or the engine warns that a pup is higher than start and drive "
+     "allow.",
      &Trial::kinetic, 1, Warning::Kind::gaining_energy, Kind::fine, "#A12511"},
-    {"hanging", "The engine warns of a pup that nothing carries and that does not fall.", nullptr,
-     0, Warning::Kind::hanging, Kind::fine, "#20867D"},
+    {"hanging", "The engine warns of a pup without support that does not fall.", nullptr, 0,
+     Warning::Kind::hanging, Kind::fine, "#20867D"},
     {"sunk", "The engine warns of a pup's centre under the floor.", nullptr, 0, Warning::Kind::sunk,
      Kind::fine, "#2D436F"},
     {"inverted",
-     "Share of looks at pups whose fitted linear map has a determinant below 0: turned inside out "
-     "for longer than a collision lasts.",
+     "Share of samples of a pup whose fitted linear map has a determinant below 0: inverted for "
+     "longer than a collision takes.",
      &Trial::inverted,
      0.01,
      {},
@@ -55,7 +55,7 @@ constexpr std::array<Class, kVerdicts> kClasses{{
     {"escaped", "The engine warns of a pup's centre outside the wall, or a step's status says so.",
      nullptr, 0, Warning::Kind::outside, Kind::escaped, "#9B53E0"},
     {"diverged",
-     "A step's status: not finite, or out of all proportion.",
+     "A step's status: not finite, or far too large.",
      nullptr,
      0,
      {},
@@ -78,7 +78,7 @@ struct Moments {
   }
 };
 
-/// What is gathered on the way.
+/// Collects the measurements of one run.
 class Record {
  public:
   explicit Record(const Params& params)
@@ -86,17 +86,17 @@ class Record {
         energies_(static_cast<std::size_t>(params.pups)),
         given_(2 * params.drive * params.arena_radius) {}
 
-  /// At half time: what gravity can still give.
-  void look_up(const Simulation& simulation) {
+  /// At half time: adds the energy that a fall can give.
+  void add_height(const Simulation& simulation) {
     double highest = 0;
     for (int pup = 0; pup < simulation.pups(); ++pup) {
-      highest = std::max(highest, simulation.centre(pup).z());
+      highest = std::max(highest, simulation.view().positions.mean(pup).z());
     }
     given_ += simulation.params().gravity * highest;
   }
 
-  void look(const Simulation& simulation) {
-    const std::vector<Shape>& shapes = gauge_.look(simulation);
+  void add(const Simulation& simulation) {
+    const std::vector<Shape>& shapes = gauge_.measure(simulation);
     for (std::size_t pup = 0; pup < shapes.size(); ++pup) {
       energies_[pup].add(shapes[pup].energy);
       inverted_.add(shapes[pup].volume < 0 ? 1 : 0);
@@ -107,7 +107,7 @@ class Record {
     }
   }
 
-  Trial judge(const Simulation& simulation) const {
+  Trial classify(const Simulation& simulation) const {
     Trial trial;
     const auto warnings = simulation.warnings();
     trial.warnings.assign(warnings.begin(), warnings.end());
@@ -168,13 +168,13 @@ std::optional<Trial> try_litter(const Params& params, const std::function<bool()
   Record record(params);
   const std::int64_t half = params.steps / 2, quarter = params.steps - params.steps / 4;
   while (simulation.steps_done() < params.steps) {
-    if (simulation.steps_done() % kStepsBetweenAsking == 0 && stop()) return std::nullopt;
+    if (simulation.steps_done() % kStepsBetweenStops == 0 && stop()) return std::nullopt;
     const Status status = simulation.step();
     if (!status.ok()) return lost(status);
-    if (simulation.steps_done() == half) record.look_up(simulation);
-    if (simulation.steps_done() > quarter) record.look(simulation);
+    if (simulation.steps_done() == half) record.add_height(simulation);
+    if (simulation.steps_done() > quarter) record.add(simulation);
   }
-  return record.judge(simulation);
+  return record.classify(simulation);
 }
 
 }  // namespace pupflow::report

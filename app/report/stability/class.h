@@ -1,8 +1,8 @@
-// What a run is called on the maps of the stability report: one of nine classes, by what its bodies
-// do in its last quarter and by what the engine says.
+// The class of a run on the maps of the stability report: one of nine, by measurements of its last
+// quarter, and by statuses and warnings of the engine.
 //
-// The default litter has to be called stable at every temperature; the report prints its numbers
-// beside the limits.
+// The default litter must be stable at every temperature; the report prints its numbers beside the
+// limits.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace pupflow::report {
 
-/// From good to bad. A run that is several of these is called the worst.
+/// From good to bad. A run gets the worst of those that apply.
 enum class Verdict {
   stable,
   ringing,
@@ -31,22 +31,23 @@ enum class Verdict {
 };
 constexpr int kVerdicts = 9;
 
-/// One run and what was seen in its last quarter.
+/// One run, and measurements of its last quarter.
 struct Trial {
   Verdict verdict = Verdict::stable;
   Status status;                  // when bad, the numbers below are 0
   std::vector<Warning> warnings;  // of the engine, the first of each kind
-  double energy = 0;              // mean deformation energy (stability_measure.h)
+  double energy = 0;              // mean deformation energy (measure.h)
   double swing = 0;               // its standard deviation in time, mean over pups
-  /// Mean kinetic energy of a pup, as a share of what a pup can have got since half time: from the
-  /// drive across the arena and from a fall from where the highest pup was, f 2 r_arena + g z.
+  /// Mean kinetic energy of a pup over the largest energy that it can gain in the second half: by
+  /// the drive across the arena and a fall from the height z of the highest pup at half time,
+  /// 2 f r_arena + g z.
   double kinetic = 0;
   double nearest = 0;   // the nearest other centre over 2 r_pup, mean over pups; 0 below two pups
-  double inside = 0;    // share of all points that lie inside another body (engine/overlap.h)
-  double inverted = 0;  // share of looks at a pup whose fitted linear map has a determinant below 0
+  double inside = 0;    // share of all points that lie inside another body (pupflow/overlap.h)
+  double inverted = 0;  // share of samples whose fitted linear map has a determinant below 0
 };
 
-/// What makes a run belong to a class. Several of these may, and any will do.
+/// The criteria of a class. A run belongs to it when any of them holds.
 struct Class {
   std::string_view name;
   std::string_view meaning;          // for the page
@@ -63,7 +64,8 @@ inline const Class& class_of(Verdict verdict) {
   return classes()[static_cast<std::size_t>(verdict)];
 }
 
-/// Runs `params.steps` steps and judges. Nothing when `stop`, asked now and then, says so.
+/// Runs `params.steps` steps and classifies the run. Empty when `stop`, which is called every 50
+/// steps, returns true.
 std::optional<Trial> try_litter(const Params& params, const std::function<bool()>& stop);
 
 /// A trial that ended in a bad status.

@@ -26,7 +26,7 @@ std::vector<double> edges_of(const MapAxis& axis) {
   return edges;
 }
 
-/// What the runs of a cell were called, and what was warned of in any of them, joined by '/'.
+/// The classes of the runs of a cell, and the warnings of any of them, joined by '/'.
 std::string calls_of(const Cell& cell) {
   std::string text;
   for (const Trial& trial : cell.trials) {
@@ -48,7 +48,7 @@ std::string warnings_of(const Cell& cell) {
   return text.empty() ? "-" : text;
 }
 
-/// What stands in a cell's row between method and edges.
+/// The columns of a cell between its method and its edges.
 void write_cell(io::CsvFile& csv, const Cell& cell) {
   std::string_view called = "refused", others = "-";
   std::int64_t code = -1, other_code = -1, agree = 0;
@@ -101,12 +101,12 @@ std::string axis_commands(const std::string& which, const MapAxis& axis,
                            "\n  set " + which + "range [" + number(edges.front()) + ":" +
                            number(edges.back()) + "]\n";
   if (!axis.log) return text + tics + "autofreq format '%g'\n";
-  // Too few powers of ten to read the axis by: the values themselves.
+  // With few powers of ten on the axis the values are its tics.
   if (axis.values.back() / axis.values.front() > 100) return text + tics + powers;
   std::string values;
   double last = 0;
   for (const double value : axis.values) {
-    // Side by side, numbers nearer than this would run into each other.
+    // Numbers with a smaller ratio would overlap.
     constexpr double kLeastRatio = 1.6;
     if (which == "x" && value < kLeastRatio * last) continue;
     values += (values.empty() ? "" : ", ") + number(value);
@@ -115,7 +115,7 @@ std::string axis_commands(const std::string& which, const MapAxis& axis,
   return text + tics + "(" + values + ") format '%g'\n";
 }
 
-/// Boxes in the colours of the classes.
+/// Boxes in the colors of the classes.
 std::string boxes(const StabilityMap& map, std::size_t m) {
   return "for [c=0:" + std::to_string(kVerdicts - 1) +
          "] file using (column('panel') == " + std::to_string(m) +
@@ -124,7 +124,7 @@ std::string boxes(const StabilityMap& map, std::size_t m) {
          "word(colors, c + 1) notitle, ";
 }
 
-/// A dot in the class of the others where seeds disagree: the middle of the cell.
+/// A dot in the color of the other class where seeds disagree: in the middle of the cell.
 std::string dots(const StabilityMap& map, std::size_t m) {
   const auto middle = [](const MapAxis& axis, const std::string& which) {
     const std::string low = "column('" + which + "_low')", high = "column('" + which + "_high')";
@@ -197,7 +197,7 @@ std::string dot(int x, int y, const std::string& look) {
   return "  set label '' at screen " + Legend::at(x + 19, y) + " point " + look + "\n";
 }
 
-/// An empty plot over all, whose objects and labels explain colours, marks and lines.
+/// An empty plot over all panels, whose objects and labels explain colors, marks and lines.
 std::string legend(const StabilityMap& map, bool refuses) {
   Legend legend;
   std::string text =
@@ -210,7 +210,7 @@ std::string legend(const StabilityMap& map, bool refuses) {
                        [&](int x, int y) { return swatch(x, y, std::string(look.color)); });
   }
   if (map.seeds > 1) {
-    text += legend.add("seeds disagree: what others say", [](int x, int y) {
+    text += legend.add("seeds disagree: the other class", [](int x, int y) {
       return swatch(x, y, std::string(classes()[0].color)) +
              dot(x, y, "pt 7 ps 1.05 lc rgb '#222222'") +
              dot(x, y, "pt 7 ps 0.75 lc rgb '" + std::string(classes()[1].color) + "'");

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "pupflow/geometry.h"
-#include "pupflow/simulation.h"
+#include "engine/bodies.h"
 
 namespace pupflow::report {
 namespace {
@@ -16,7 +15,7 @@ class Decay {
  public:
   explicit Decay(double first) : first_(first), before_(first) {}
 
-  /// Takes the next value; false once rounding decides what is left.
+  /// Takes the next value; false once it is of the size of rounding.
   bool add(double now) {
     if (std::abs(now) < 1e-9 * std::abs(first_)) return false;
     turns_ += now * before_ < 0 ? 1 : 0;
@@ -25,10 +24,10 @@ class Decay {
     return true;
   }
 
-  Trial judge() const {
+  Trial classify() const {
     Trial trial;
     if (2 * turns_ > steps_) trial.verdict = Verdict::ringing;
-    // A factor of -1 keeps it but for rounding.
+    // A factor of -1 keeps its size up to rounding.
     if (std::abs(before_) > (1 + 1e-9) * std::abs(first_)) trial.verdict = Verdict::diverged;
     return trial;
   }
@@ -41,15 +40,10 @@ class Decay {
 /// Puts the two pups side by side, far above the floor, at rest.
 void hold(Simulation& simulation) {
   const Params& params = simulation.params();
-  const std::vector<Eigen::Vector3d> rest = cube_sphere(params.face_points, params.pup_radius);
-  const std::vector<double> still(3 * rest.size());
+  const Points rest = rest_points(params);
   for (int pup = 0; pup < 2; ++pup) {
-    std::vector<double> xyz;
     const double x = (pup - 0.5) * kApart * params.pup_radius;
-    for (const Eigen::Vector3d& q : rest) {
-      xyz.insert(xyz.end(), {x + q.x(), q.y(), q.z() + 4 * params.pup_radius});
-    }
-    simulation.set_cloud(pup, xyz, still);
+    place(simulation, pup, shifted(rest, {x, 0, 4 * params.pup_radius}));
   }
 }
 
@@ -64,9 +58,9 @@ std::optional<Trial> try_heat(const Params& params, const std::function<bool()>&
   while (simulation.steps_done() < params.steps) {
     const Status status = simulation.step();
     if (!status.ok()) return lost(status);
-    if (!decay.add(simulation.body_temperature()[0] - equilibrium)) break;
+    if (!decay.add(simulation.view().tb[0] - equilibrium)) break;
   }
-  return decay.judge();
+  return decay.classify();
 }
 
 std::optional<Trial> try_exchange(const Params& params, const std::function<bool()>& stop) {
@@ -78,17 +72,17 @@ std::optional<Trial> try_exchange(const Params& params, const std::function<bool
     hold(simulation);
     const Status status = simulation.step();
     if (!status.ok()) return lost(status);
-    const auto tb = simulation.body_temperature();
+    const auto tb = simulation.view().tb;
     if (!decay.add(tb[0] - tb[1])) break;
   }
-  return decay.judge();
+  return decay.classify();
 }
 
 double held_contact(const Params& params) {
   Simulation simulation(params);
   hold(simulation);
   simulation.step();
-  return 1 - simulation.exposed()[0];
+  return 1 - simulation.view().exposed[0];
 }
 
 }  // namespace pupflow::report

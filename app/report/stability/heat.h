@@ -1,4 +1,4 @@
-// What the maps of heat alone judge: pups that nothing moves.
+// The runs of the maps of heat alone: pups that do not move.
 #pragma once
 
 #include <functional>
@@ -8,13 +8,13 @@
 
 namespace pupflow::report {
 
-/// One pup that touches nobody goes from T_b(0) to its equilibrium. Ringing: T_b passes it from one
-/// side to the other in most steps. Diverged: the status, or T_b further from it at the end than at
-/// the beginning. `params` has one pup, and neither gravity nor drive. Nothing when `stop` says so.
+/// One pup without contact goes from T_b(0) to its equilibrium T_e. Ringing: T_b - T_e changes its
+/// sign in most steps. Diverged: a bad status, or |T_b - T_e| larger at the end than at the
+/// beginning. `params` has one pup, and neither gravity nor drive. Empty when `stop` returns true.
 std::optional<Trial> try_heat(const Params& params, const std::function<bool()>& stop);
 
-/// Two pups held together, the first warmer at the beginning: the same of their difference. k1 and
-/// g must be 0, so that nothing but k2 acts.
+/// The same for the difference of T_b of two pups that are held together, the first warmer at the
+/// beginning. k1 and g must be 0, so that only k2 acts.
 std::optional<Trial> try_exchange(const Params& params, const std::function<bool()>& stop);
 
 /// The share of points in contact, 1 - A, of the two pups of `try_exchange`.

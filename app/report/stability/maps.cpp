@@ -98,7 +98,7 @@ Params litter(bool quick) {
   return params;
 }
 
-/// Weightless pups whose heat alone is looked at.
+/// Weightless pups, for the maps of heat.
 Params heat_alone(int pups) {
   Params params;
   params.pups = pups;
@@ -121,8 +121,8 @@ StabilityMap alpha_beta(bool quick) {
   map.title = "α × β";
   map.words =
       "A mode of deformation that the fit can represent is multiplied by |λ| = √(1 − α (1 − β)) in "
-      "each predictive step; |λ| = 0.98 means that it takes 50 steps to fall to 1/e. In explicit "
-      "steps |λ| = 1 whatever α and β are.";
+      "each predictive step; with |λ| = 0.98 it falls to 1/e in 50 steps. In explicit steps |λ| = "
+      "1 for any α and β.";
   map.x = along("alpha", "rigidity α", false,
                 quick ? Values{0.1, 0.7, 1}
                       : Values{0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1});
@@ -138,8 +138,8 @@ StabilityMap alpha_beta(bool quick) {
   return map;
 }
 
-TheoryLine outrun(const Params& params) {
-  return {"f h = 2/3: the drive outruns the wall", "", 2 / (3 * params.drive)};
+TheoryLine escape_line(const Params& params) {
+  return {"f h = 2/3: the wall cannot hold the drive", "", 2 / (3 * params.drive)};
 }
 
 StabilityMap step_alpha(bool quick) {
@@ -147,8 +147,8 @@ StabilityMap step_alpha(bool quick) {
   map.name = "step_alpha";
   map.title = "h × α";
   map.words =
-      "α acts per step, so |λ| does not depend on h: its lines are level. What h does is to let a "
-      "body fall, and be driven, further in each step.";
+      "α acts per step, so |λ| does not depend on h: its lines are horizontal. With a larger h a "
+      "body falls further, and is driven further, in each step.";
   map.x = step_axis(quick);
   map.y = alpha_axis(quick);
   map.methods = kIntegrators;
@@ -159,7 +159,7 @@ StabilityMap step_alpha(bool quick) {
   }
   map.lines.push_back({"g h² = r_{pup}: a step falls a radius", "",
                        std::sqrt(map.base.pup_radius / map.base.gravity)});
-  map.lines.push_back(outrun(map.base));
+  map.lines.push_back(escape_line(map.base));
   return map;
 }
 
@@ -168,15 +168,15 @@ StabilityMap step_gravity(bool quick) {
   map.name = "step_gravity";
   map.title = "h × gravity";
   map.words =
-      "The floor acts once a step. Where a step falls further than a radius, g h² > r_pup, it "
-      "finds all points below and flattens the body. Where both are small the run ends before the "
-      "litter has landed.";
+      "The floor acts once a step. Where a body falls more than a radius in a step, g h² > r_pup, "
+      "all its points can be below the floor, which flattens it. Where both h and g are small the "
+      "run ends before the litter has landed.";
   map.x = step_axis(quick);
   map.y = along("gravity", "gravity g", true, quick ? Values{0.1, 10, 1e5} : decades(-1, 5, 2));
   map.methods = kIntegrators;
   map.base = litter(quick);
   map.lines = {{"g h² = r_{pup}: a step falls a radius", number(map.base.pup_radius) + " / x**2"},
-               outrun(map.base)};
+               escape_line(map.base)};
   return map;
 }
 
@@ -185,10 +185,10 @@ StabilityMap step_refinement(bool quick) {
   map.name = "step_refinement";
   map.title = "h × α, refined";
   map.words =
-      "What a smaller step does to the body: naive refinement takes α per step, so the body gets "
-      "stiffer; consistent refinement takes α per 0.01 s, so it stays the same body "
-      "([how](../../model.md#refining-the-time-step)). It is refused where α = 1 and h < 0.01, and "
-      "above h = 0.01.";
+      "With naive refinement α is per step, so a smaller step makes the body stiffer. With "
+      "consistent refinement α is per 0.01 s, so the body stays the same "
+      "([equations](../../model.md#refining-the-time-step)). Consistent refinement is refused "
+      "where α = 1 and h < 0.01, and for h > 0.01.";
   map.x = along("dt", "time step h", true,
                 quick ? Values{0.0025, 0.005, 0.01} : Values{0.001, 0.0025, 0.005, 0.01});
   map.y = alpha_axis(quick);
@@ -205,13 +205,14 @@ StabilityMap drive_pups(bool quick) {
   map.name = "drive_pups";
   map.title = "drive × N";
   map.words =
-      "The wall makes v ← (v − 1)/2 outwards in each step, then the drive adds f h: outside the "
-      "wall v goes to 2 f h − 1, and above 1/3 that leads away from it, which is f > 2/(3 h).";
+      "In each step the wall sets the outward velocity to v ← (v − 1)/2, then the drive adds f h, "
+      "so outside the wall v converges to 2 f h − 1. With f > 2/(3 h) that is above 1/3, and the "
+      "pup moves away from the wall.";
   map.x = along("drive", "drive f", true, quick ? Values{1, 10, 1000} : decades(-1, 3, 3));
   map.y = pups_axis(quick);
   map.methods = kIntegrators;
   map.base = litter(quick);
-  map.lines = {{"f h = 2/3: the drive outruns the wall", "", 2 / (3 * map.base.dt)}};
+  map.lines = {{"f h = 2/3: the wall cannot hold the drive", "", 2 / (3 * map.base.dt)}};
   return map;
 }
 
@@ -220,9 +221,11 @@ StabilityMap points(bool quick) {
   map.name = "points";
   map.title = "k × r_point / r_pup";
   map.words =
-      "A pup has 6 k² points, which touch others by spheres of r_point. The smaller they are, the "
-      "less a contact moves. With `contact = sum` the displacements of a point add up over its "
-      "contacts, so many large points push further than a body can take.";
+      "A pup has 6 k² points, and two points touch when they are closer than 2 r_point. The "
+      "smaller "
+      "r_point is, the smaller is the displacement by a contact. With `contact = sum` the "
+      "displacements of a point add up over its contacts, so many large points displace each other "
+      "by more than shape matching can restore.";
   map.x = along("face_points", "points along a face edge k", false,
                 quick ? Values{2, 4, 7} : Values{2, 3, 4, 5, 6, 7, 8, 10});
   map.y = point_axis(quick);
@@ -236,10 +239,9 @@ StabilityMap radii(bool quick) {
   map.name = "radii";
   map.title = "r_pup / r_arena × N";
   map.words =
-      "The arena keeps its radius of 2, points keep their r_point / r_pup = 0.2. The model has a "
-      "length scale of its own, since a displacement by contact is a length squared: small pups "
-      "are "
-      "softer. Large ones leave no room, and pile up.";
+      "The arena has the radius 2, and r_point / r_pup is 0.2. The model has a length scale of its "
+      "own, since a displacement by contact is a length squared: small pups are softer. Large "
+      "pups do not fit beside each other and lie on top of each other.";
   map.x = pup_axis(quick);
   map.y = along("pups", "pups N", true, quick ? Values{1, 4, 12} : Values{1, 2, 4, 6, 12, 24});
   map.methods = kContacts;
@@ -252,15 +254,16 @@ StabilityMap step_k1(bool quick) {
   map.name = "step_k1";
   map.title = "h × k₁, heat alone";
   map.words =
-      "One pup that touches nobody (A = 1), from T_b(0) to T_a + G/k₁. Forward Euler multiplies "
-      "the difference by 1 − k₁ h: beyond 1 it changes sides in every step, beyond 2 it grows. The "
-      "exact solution multiplies by e^(−k₁ h). No random number matters, so one run is enough.";
+      "One pup without contact (A = 1), from T_b(0) to T_a + G/k₁. Forward Euler multiplies the "
+      "difference by 1 − k₁ h: for k₁ h > 1 it changes its sign in every step, for k₁ h > 2 it "
+      "grows. The exact solution multiplies it by e^(−k₁ h). The result does not depend on the "
+      "seed, so one run is enough.";
   map.x = step_axis(quick);
   map.y = along("k1", "conductance to the air k₁", true,
                 quick ? Values{0.9, 15, 150, 1500} : decades(-1, 4, 4));
   map.methods = kHeatRules;
   map.base = heat_alone(1);
-  map.judge = try_heat;
+  map.classify = try_heat;
   map.seeds = 1;
   map.lines = {{"k₁ h = 1", "1 / x", 0, 1}, {"k₁ h = 2", "2 / x", 0, 1}};
   return map;
@@ -276,17 +279,16 @@ StabilityMap step_k2(bool quick) {
   map.methods = kHeatRules;
   map.base = heat_alone(2);
   map.base.air_conductance = map.base.thermogenesis = 0;
-  map.judge = try_exchange;
+  map.classify = try_exchange;
   map.seeds = 1;
   const double contact = held_contact(map.base);
   map.words =
       "Two pups that are held together, 1 − A = " + rounded(contact) +
-      ", with k₁ = G = 0. Each goes towards what the other was at the beginning of the step, so "
-      "with κ = k₂ (1 − A) h forward Euler multiplies their difference by 1 − 2 κ, and the exact "
-      "solution of a step by 2 e^(−κ) − 1. The latter changes sides beyond κ = ln 2, where the "
-      "pups "
-      "have begun to swap temperatures, and never grows. More pups that touch are no worse: −1 is "
-      "the least factor of any such mean. No random number matters, so one run is enough.";
+      ", with k₁ = G = 0. The T_b of each tends to that of the other at the beginning of the step, "
+      "so with κ = k₂ (1 − A) h forward Euler multiplies their difference by 1 − 2 κ, and the "
+      "exact solution of a step by 2 e^(−κ) − 1. The latter is negative for κ > ln 2, so the "
+      "difference changes its sign, but it never grows. With more pups in contact the factor is "
+      "not below −1 either. The result does not depend on the seed, so one run is enough.";
   map.lines = {{"κ = ln 2", number(std::log(2) / contact) + " / x", 0, 0},
                {"κ = 1/2", number(0.5 / contact) + " / x", 0, 1},
                {"κ = 1", number(1 / contact) + " / x", 0, 1}};
@@ -308,8 +310,8 @@ Params cell_params(const StabilityMap& map, const Method& method, double x, doub
   method.set(params);
   map.x.set(params, x);
   map.y.set(params, y);
-  if (map.judge != try_litter) return params;
-  // With small steps long enough for the litter to have landed.
+  if (map.classify != try_litter) return params;
+  // With small steps the run is long enough for the litter to land.
   constexpr double kSeconds = 8;
   const std::int64_t most = 2 * map.base.steps;
   const auto needed = static_cast<std::int64_t>(std::min(kSeconds / params.dt, 1e9));

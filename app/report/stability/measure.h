@@ -1,47 +1,41 @@
-// What the stability report measures on a litter: how far bodies are from their rest shape, and
-// how fast they move.
+// Measurements of the stability report: the deformation of bodies, and how fast they move.
 #pragma once
 
 #include <Eigen/Core>
 #include <vector>
 
-#include "pupflow/simulation.h"
+#include "engine/bodies.h"
 
 namespace pupflow::report {
 
-/// The shape of one pup at one time, whatever its place and rotation.
+/// The shape and motion of one pup at one time.
 struct Shape {
-  /// Mean over points of |x - c - R q|^2 / r_pup^2: squared distance from the rest shape q, turned
-  /// by the rotation R nearest to the fitted linear map. 0 at rest; 1 is a displacement of every
-  /// point by a radius. The potential energy of the springs that pull points to rigid goals, up to
-  /// a factor.
+  /// Deformation energy (Pose, engine/bodies.h): 0 at rest; 1 is a displacement of every point by a
+  /// radius. Up to a factor the potential energy of springs that pull points to rigid goals.
   double energy = 0;
-  /// Determinant of the fitted linear map of the rest offsets: 1 at rest, the volume's factor; 0
-  /// flat, below 0 turned inside out.
+  /// Determinant of the fitted linear map: 1 at rest; 0 flat; below 0 inverted.
   double volume = 1;
   /// Mean over points of |v|^2 / 2: kinetic energy by mass, in arena units^2 / s^2.
   double kinetic = 0;
-  /// The deformation's coordinates in the body's frame: R^T (fitted map) - identity, nine numbers.
+  /// The deformation in the body's frame: R^T F - identity, with R and F of the pose.
   Eigen::Matrix3d strain = Eigen::Matrix3d::Zero();
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
 };
 
-/// Looks at litters with given parameters, again and again.
+/// Measures litters with given parameters many times.
 class ShapeGauge {
  public:
-  explicit ShapeGauge(const Params& params);
+  explicit ShapeGauge(const Params& params) : rest_(rest_points(params)) {}
 
-  /// The shapes of all pups, one after the other; they stay until the next look.
-  const std::vector<Shape>& look(const Simulation& simulation);
+  /// The shapes of all pups, in order. Valid until the next call.
+  const std::vector<Shape>& measure(const LitterView& litter);
 
  private:
-  double radius_, squares_ = 0;  // sum of x^2 over the rest offsets
-  std::vector<Eigen::Vector3d> rest_;
-  std::vector<double> xyz_, velocities_;
+  Points rest_;
   std::vector<Shape> shapes_;
 };
 
-/// The same for one look.
-std::vector<Shape> shapes_of(const Simulation& simulation);
+/// The same once.
+std::vector<Shape> shapes_of(const LitterView& litter);
 
 }  // namespace pupflow::report

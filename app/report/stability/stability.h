@@ -1,4 +1,4 @@
-// pupflow report stability: where the method is stable, and what it does far outside the ordinary.
+// pupflow report stability: where the method is stable, and extreme scenes.
 #pragma once
 
 #include "app/report/report.h"

@@ -10,7 +10,7 @@
 namespace pupflow::report {
 namespace {
 
-constexpr std::size_t kHistory = 101;  // the longest lag and now
+constexpr std::size_t kHistory = 101;  // the longest lag, and the step now
 static_assert(kLags[std::size(kLags) - 1] == kHistory - 1);
 
 }  // namespace
@@ -24,11 +24,11 @@ std::vector<double> measure_flow(const Params& params) {
   std::vector<double> flow(std::size(kLags));
   double counted = 0, changed = 0, by_one = 0;
   const double points = simulation.points();
-  at(0).assign(simulation.exposed().begin(), simulation.exposed().end());
+  at(0).assign(simulation.view().exposed.begin(), simulation.view().exposed.end());
   while (simulation.steps_done() < params.steps) {
     step_on(simulation);
     const std::int64_t now = simulation.steps_done();
-    at(now).assign(simulation.exposed().begin(), simulation.exposed().end());
+    at(now).assign(simulation.view().exposed.begin(), simulation.view().exposed.end());
     if (now <= std::max<std::int64_t>(params.discard, kHistory - 1)) continue;
     for (std::size_t pup = 0; pup < at(now).size(); ++pup) {
       ++counted;
@@ -58,10 +58,11 @@ void flow_section(Report& report) {
       "begins or ceases to touch between two steps makes a flow of 1/(" +
       std::to_string(points_per_pup(base)) +
       " · 0.01 s) = " + rounded(1 / (points_per_pup(base) * base.dt), 2) +
-      " per second for that pup and step. A change that lasts would give the same flow over every "
-      "lag up to its length; flow that falls with the lag is going to and fro. The last two "
-      "columns say how often A changed by one point, of the steps in which it changed at all, and "
-      "how often it did not change.");
+      " per second for that pup and step. A lasting change gives the same flow over every lag up "
+      "to "
+      "its duration; flow that falls with the lag comes from changes that reverse. The last two "
+      "columns are the share of changes of A that are one point, and the share of steps in which "
+      "A did not change.");
   std::vector<Params> settings;
   for (const double ta : options.quick ? std::vector{0.2, 0.5, 0.8} : spaced(0, 1, 21)) {
     settings.push_back(base);

@@ -8,22 +8,21 @@
 namespace pupflow::report {
 namespace {
 
-/// Adds what the step just taken did, which found T_b at `before`.
-void add_step(const Simulation& simulation, const std::vector<double>& before,
-              HeatBalance& balance) {
-  const Params& p = simulation.params();
-  const int points = simulation.points();
+/// Adds the terms of the last step.
+void add_step(const LitterView& litter, HeatBalance& balance) {
+  const Params& p = litter.params;
+  const int points = litter.points;
   for (int pup = 0; pup < p.pups; ++pup) {
-    const double tb = before[pup], exposed = simulation.exposed()[pup];
+    const double tb = litter.felt_tb[pup], exposed = litter.exposed[pup];
     double sum = 0;
     int count = 0;
-    for (const int other : simulation.touched_pup().subspan(pup * points, points)) {
+    for (const int other : litter.touched.subspan(pup * points, points)) {
       if (other < 0) continue;
-      sum += before[other];
+      sum += litter.felt_tb[other];
       ++count;
     }
     const double gain = count > 0 ? -p.contact_conductance * (1 - exposed) * (tb - sum / count) : 0;
-    balance.change += (simulation.body_temperature()[pup] - tb) / p.dt;
+    balance.change += (litter.tb[pup] - tb) / p.dt;
     balance.made += p.thermogenesis;
     balance.lost += p.air_conductance * exposed * (tb - p.ambient_temperature);
     balance.exchanged += gain;
@@ -37,13 +36,11 @@ HeatBalance heat_balance(Params params) {
   params.heat = HeatRule::euler;
   Simulation simulation(params);
   HeatBalance balance;
-  std::vector<double> before;
   double steps = 0;
   while (simulation.steps_done() < params.steps) {
-    before.assign(simulation.body_temperature().begin(), simulation.body_temperature().end());
     step_on(simulation);
     if (simulation.steps_done() <= params.discard) continue;
-    add_step(simulation, before, balance);
+    add_step(simulation, balance);
     ++steps;
   }
   for (double* sum :
@@ -55,15 +52,15 @@ HeatBalance heat_balance(Params params) {
 
 void heat_section(Report& report) {
   const Options& options = report.options();
-  report.heading("Where the heat goes");
+  report.heading("Heat balance");
   report.text(
-      "The change of a pup's T_b is what it makes, less what it loses to the air, plus what it "
-      "gets from the pups it touches. Were heat conserved, what pups get from each other would "
-      "add up to 0 over the litter. It does not: each pup takes the mean temperature of what its "
-      "own points touch times its own share of points in contact, and of two pups in contact one "
-      "can have more such points than the other. All per pup and model second, steps 501 to "
-      "1500 and 2501 to 4000, with heat = euler, in which the four add up in every step. Size is "
-      "the mean of the size of what a pup gets or gives, in each step.");
+      "The change of a pup's T_b is the heat that it makes, minus the heat that it loses to the "
+      "air, plus the heat from the pups that it touches. If heat were conserved, the exchange "
+      "between pups would add up to 0 over the litter. It does not: a pup takes the mean "
+      "temperature of the points that it touches times its own share of points in contact, and of "
+      "two pups in contact one can have more such points than the other. All numbers are per pup "
+      "and model second, over steps 501 to 1500 and 2501 to 4000, with heat = euler, with which "
+      "the terms add up in every step. Size is the mean absolute value of the exchange in a step.");
   std::vector<Params> settings;
   for (const std::int64_t end :
        options.quick ? std::vector<std::int64_t>{1500} : std::vector<std::int64_t>{1500, 4000}) {

@@ -1,4 +1,4 @@
-// Where the heat of a litter goes.
+// The heat balance of a litter.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ struct HeatBalance {
   double made = 0;       // G
   double lost = 0;       // to the air, k1 A (T_b - T_a)
   double exchanged = 0;  // from other pups, -k2 (1 - A)(T_b - mean T_c)
-  double moved = 0;      // the size of that, |...|
+  double moved = 0;      // its absolute value
 };
 
 /// Runs `params` with heat = euler.

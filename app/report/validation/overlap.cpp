@@ -1,4 +1,4 @@
-// How far bodies run into each other, with each reading of the contact rule.
+// How far bodies overlap, with each reading of the contact rule.
 #include "pupflow/overlap.h"
 #include "app/report/validation/readings.h"
 #include "app/report/validation/sections.h"
@@ -7,7 +7,7 @@ namespace pupflow::report {
 namespace {
 
 /// Means over looks 25 steps apart after `discard`: distance to the nearest centre, the least one,
-/// share of points inside another body, share of those that touch nobody.
+/// share of points inside another body, share of those that touch no other pup.
 std::vector<double> measure_bodies(const Params& params) {
   Simulation simulation(params);
   OverlapMeter meter;
@@ -27,13 +27,12 @@ void overlap_section(Report& report) {
   const Options& options = report.options();
   report.heading("Interpenetration");
   report.text(
-      "Contacts move points by a share of their overlap only, so bodies run into each other. "
+      "Contacts move points by a share of their overlap only, so bodies overlap. "
       "Nearest is the distance from a pup's centre to the nearest other one, mean over pups; two "
       "round pups that touch are 2 (r_pup + r_point) = 0.6 apart at most. Least is the smallest "
       "of these distances in the run. Inside is the share of all points that lie inside another "
-      "body; of these, exposed is the share that touches no point of another pup, so counts as "
-      "exposed to "
-      "the air. Steps 501 to 1500, looked at every 25 steps.");
+      "body. Exposed is the share of these that touch no point of another pup and so count as "
+      "exposed to the air. Every 25th step from 501 to 1500.");
   std::vector<Params> settings;
   const std::vector<double> ta =
       options.quick ? std::vector{0.2, 0.8} : std::vector{0.0, 0.2, 0.4, 0.5, 0.6, 0.8};

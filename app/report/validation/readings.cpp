@@ -2,12 +2,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report/statistics.h"
 #include "app/report/validation/readings.h"
 #include "app/report/validation/sections.h"
 #include "pupflow/ensemble.h"
 
 namespace pupflow::report {
 namespace {
+
+constexpr std::size_t kTb = statistic_of(Observable::mean_tb),
+                      kHuddling = statistic_of(Observable::huddling),
+                      kGroups = statistic_of(Observable::groups),
+                      kLargest = statistic_of(Observable::largest),
+                      kFlow = statistic_of(Observable::flow);
 
 ReadingCurve curve_of(const std::string& reading, const std::vector<double>& ta,
                       const std::vector<std::vector<MeanAndError>>& means) {
@@ -27,9 +34,8 @@ ReadingCurve curve_of(const std::string& reading, const std::vector<double>& ta,
 
 void write_csv(const Report& report, const std::string& name, const Params& params,
                const std::vector<ReadingCurve>& curves) {
-  std::string columns = "reading,ta";
-  for (const std::string number : kNumberNames) columns += "," + number + "," + number + "_se";
-  io::CsvFile csv = report.csv(name, params, columns + ",slope,ta_star,tb_above_ta");
+  io::CsvFile csv =
+      report.csv(name, params, "reading,ta" + statistic_columns() + ",slope,ta_star,tb_above_ta");
   for (const ReadingCurve& curve : curves) {
     for (std::size_t i = 0; i < curve.ta.size(); ++i) {
       csv.cell(std::string_view(curve.reading)).cell(curve.ta[i]);
@@ -43,8 +49,9 @@ void write_csv(const Report& report, const std::string& name, const Params& para
 
 void curve_table(Report& report, const ReadingCurve& curve) {
   report.subheading("contact = " + curve.reading);
-  std::vector<io::Row> rows{{"T_a", "mean T_b", "1 − A", "groups", "largest", "flow, lag 1",
-                             "sd of A", "\\|dA/dT_a\\|", "T_a*"}};
+  std::vector<io::Row> rows{{"T_a"}};
+  add_statistic_labels(rows[0]);
+  rows[0].insert(rows[0].end(), {"\\|dA/dT_a\\|", "T_a*"});
   for (std::size_t i = 0; i < curve.ta.size(); ++i) {
     rows.push_back({rounded(curve.ta[i])});
     for (const MeanAndError& number : curve.means[i]) rows.back().push_back(text_of(number));
@@ -58,7 +65,7 @@ std::string range_text(double low, double high, int digits = 3) {
   return rounded(low, digits) + " … " + rounded(high, digits);
 }
 
-/// The lowest and highest mean of number `n` where `in` is true of T_a.
+/// The lowest and highest mean of statistic `n` where `in` is true of T_a.
 template <class In>
 std::string extent(const ReadingCurve& curve, std::size_t n, In in) {
   double low = INFINITY, high = -INFINITY;
@@ -149,31 +156,33 @@ void summary_table(Report& report, const std::vector<ReadingCurve>& curves) {
 
 void add_figure(Report& report, const std::string& name, const Params& params) {
   struct Panel {
-    const char *title, *column;
+    std::string title, column, error;
   };
-  constexpr Panel kPanels[] = {{"mean T_b − T_a", "tb_above_ta"},
-                               {"huddling 1 − A", "huddling"},
-                               {"groups", "groups"},
-                               {"standard deviation of A", "exposed_sd"}};
+  std::vector<Panel> panels{
+      {"mean T_b − T_a", "tb_above_ta", statistic_name(Observable::mean_tb) + "_se"}};
+  for (const std::size_t n : {kHuddling, kGroups, kExposedSd}) {
+    const Field& field = run_statistics()[n];
+    const std::string column(field.name);
+    panels.push_back({std::string(field.label), column, column + "_se"});
+  }
   constexpr const char* kColors[] = {"#0072B2", "#E69F00", "#444444"};
   std::string body =
       "  set multiplot layout 2,2 margins 0.09,0.975,0.1,0.95 spacing 0.11,0.14\n"
       "  set xlabel 'ambient temperature T_a'\n  set xrange [0:1]\n  set yrange [0:*]\n"
       "  set grid lc '#dddddd'\n";
   bool first = true;
-  for (const Panel& panel : kPanels) {
-    body += "  set title '" + std::string(panel.title) + "'\n";
+  for (const Panel& panel : panels) {
+    body += "  set title '" + panel.title + "'\n";
     body += first ? "  set key top right Left reverse samplen 2\n" : "  unset key\n";
     body += "  plot ";
     for (std::size_t rule = 0; rule < std::size(kReadings); ++rule) {
-      const std::string reading = kReadings[rule].name, column = panel.column;
-      const std::string error = column == "tb_above_ta" ? "mean_tb_se" : column + "_se";
+      const std::string reading = kReadings[rule].name;
       const std::string own = "(strcol('reading') eq '" + reading + "' ? column('ta') : NaN)";
       const std::string look = " lc '" + std::string(kColors[rule]) + "' ";
       body += (rule > 0 ? ", \\\n       " : "") + ("'" + name + ".csv' using " + own + ":'") +
-              column + "':(2*column('" + error + "')) with yerrorbars pt 7 ps 0.5" + look +
-              "notitle, '' using " + own + ":'" + column + "' with lines lw 1.6" + look +
-              "title '" + reading + "'";
+              panel.column + "':(2*column('" + panel.error + "')) with yerrorbars pt 7 ps 0.5" +
+              look + "notitle, '' using " + own + ":'" + panel.column + "' with lines lw 1.6" +
+              look + "title '" + reading + "'";
     }
     body += "\n";
     first = false;
@@ -211,20 +220,15 @@ void show_heading(Report& report, Heading heading, int temperatures, int seeds) 
   add_figure(report, name, base);
   report.text(
       "Cold is T_a below 0.41, warm is T_a above 0.6; \"0.4 … 0.6\" are the lowest and the "
-      "highest of the means. T_a* = T_p − G/(k₁ A) is the ambient temperature at which a "
-      "pup with that A is content. \"By\" says how far the highest mean is above those at "
-      "lower T_a and above those at higher T_a, in standard errors of the difference: the largest "
-      "such number on each side, then the smaller of the two. Below 3 it is no peak.");
+      "highest of the means. T_a* = T_p − G/(k₁ A) is the ambient temperature at which T_b = T_p "
+      "is the equilibrium of a pup with that A. \"By\" is how far the highest mean is above the "
+      "means at lower T_a and above those at higher T_a, in standard errors of the difference: the "
+      "largest value on each side, then the smaller of the two. Below 3 it is no peak.");
   summary_table(report, curves);
   for (const ReadingCurve& curve : curves) curve_table(report, curve);
 }
 
 }  // namespace
-
-std::vector<double> numbers_of(const RunMeans& means) {
-  const Observables o = means.means();
-  return {o.mean_tb, o.huddling, o.groups, o.largest, o.flow, means.exposed_sd()};
-}
 
 std::vector<double> measure_reading(const Params& params) {
   Simulation simulation(params);
@@ -235,11 +239,11 @@ std::vector<double> measure_reading(const Params& params) {
     step_on(simulation);
     means.add(simulation, observer.observe(simulation));
   }
-  return numbers_of(means);
+  return statistics_of(means);
 }
 
-Peak peak_of(const ReadingCurve& curve, std::size_t number) {
-  const auto mean = [&](std::size_t i) { return curve.means[i][number].mean; };
+Peak peak_of(const ReadingCurve& curve, std::size_t statistic) {
+  const auto mean = [&](std::size_t i) { return curve.means[i][statistic].mean; };
   std::size_t top = curve.ta.size();
   for (std::size_t i = 0; i < curve.ta.size(); ++i) {
     if (curve.ta[i] < 0.3 || curve.ta[i] > 0.6) continue;
@@ -248,8 +252,8 @@ Peak peak_of(const ReadingCurve& curve, std::size_t number) {
   const auto most_above = [&](std::size_t begin, std::size_t end) {
     double most = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      most = std::max(most, (mean(top) - mean(i)) / std::hypot(curve.means[top][number].error,
-                                                               curve.means[i][number].error));
+      most = std::max(most, (mean(top) - mean(i)) / std::hypot(curve.means[top][statistic].error,
+                                                               curve.means[i][statistic].error));
     }
     return most;
   };

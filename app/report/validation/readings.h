@@ -1,7 +1,5 @@
-// One observable after the other over T_a, for each reading of the contact rule.
+// The statistics of a run over T_a, for each reading of the contact rule.
 #pragma once
-
-#include <array>
 
 #include "app/report/validation/runs.h"
 #include "pupflow/observer.h"
@@ -16,35 +14,25 @@ struct Reading {
 constexpr Reading kReadings[] = {
     {"nearest", ContactRule::nearest}, {"mean", ContactRule::mean}, {"sum", ContactRule::sum}};
 
-/// Places of the numbers of a run.
-enum Number : std::size_t { kTb, kHuddling, kGroups, kLargest, kFlow, kExposedSd };
-
-/// Their names, for columns.
-constexpr std::array<const char*, 6> kNumberNames{"mean_tb", "huddling", "groups",
-                                                  "largest", "flow",     "exposed_sd"};
-
-/// What a run came to, in the order of Number.
-std::vector<double> numbers_of(const RunMeans& means);
-
-/// The numbers of one run over its steps after `discard`.
+/// The statistics (run_statistics) of one run over its steps after `discard`.
 std::vector<double> measure_reading(const Params& params);
 
 /// One reading over T_a.
 struct ReadingCurve {
   std::string reading;
   std::vector<double> ta;
-  std::vector<std::vector<MeanAndError>> means;  // [temperature][Number]
+  std::vector<std::vector<MeanAndError>> means;  // [temperature][run statistic]
   std::vector<double> slope;                     // |dA/dT_a| by central differences
   std::vector<double> held;                      // T_a* = T_p - G/(k1 A)
 };
 
-/// The highest mean of a number among T_a from 0.3 to 0.6, where the paper sees the transition.
+/// The highest mean of a statistic for T_a from 0.3 to 0.6, where the paper has the transition.
 struct Peak {
   double ta, height;
   double above;  // above the means at lower T_a and above those at higher T_a, in standard errors
-                 // of the difference: the largest on each side, then the smaller of the two; 0 at
-                 // an end of the whole range
+                 // of the difference: the largest value on each side, then the smaller of the two;
+                 // 0 at an end of the range
 };
-Peak peak_of(const ReadingCurve& curve, std::size_t number);
+Peak peak_of(const ReadingCurve& curve, std::size_t statistic);
 
 }  // namespace pupflow::report

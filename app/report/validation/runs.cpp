@@ -10,7 +10,7 @@
 namespace pupflow::report {
 
 std::string text_of(const MeanAndError& number) {
-  // An error of rounding size is none.
+  // Without an error beyond rounding only the mean is shown.
   if (!(number.error > 1e-12 * std::abs(number.mean)) || !std::isfinite(number.error)) {
     return rounded(number.mean);
   }

@@ -1,4 +1,4 @@
-// Many whole runs of the validation report, and what their seeds come to.
+// Many whole runs of the validation report, and means over their seeds.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ void end_row(const std::vector<MeanAndError>& numbers, io::CsvFile& csv,
 /// One step. Throws io::Failure: interrupted when Ctrl-C came, bad_numbers when the status is bad.
 void step_on(Simulation& simulation);
 
-/// The numbers that one whole run comes to, always as many.
+/// The numbers that one run gives; their count is the same for all runs.
 using Measure = std::function<std::vector<double>(const Params&)>;
 
 /// Makes a run with each of `settings` and each seed 1 ... `seeds`, on all threads of `options`.

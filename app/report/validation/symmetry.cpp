@@ -3,20 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/error/pups.h"
-#include "app/report/share_out.h"
+#include "app/report/statistics.h"
 #include "app/report/validation/sections.h"
+#include "engine/bodies.h"
 #include "engine/rng.h"
-#include "pupflow/ensemble.h"
 #include "pupflow/geometry.h"
 
 namespace pupflow::report {
 namespace {
 
-void copy_temperature_and_heading(const Simulation& from, int source, Simulation& to, int pup,
+void copy_temperature_and_heading(const LitterView& from, int source, Simulation& to, int pup,
                                   double sign) {
-  to.set_body_temperature(pup, from.body_temperature()[source]);
-  to.set_heading(pup, sign * from.heading()[source]);
+  to.set_body_temperature(pup, from.tb[source]);
+  to.set_heading(pup, sign * from.heading[source]);
 }
 
 /// For each point of a rest shape the one in its place after the mirror that changes two axes of
@@ -53,7 +52,7 @@ Points through_mirror(const Points& points, const std::vector<std::size_t>& part
   return image;
 }
 
-/// After 400 steps from the column: down, and most touch.
+/// The litter after 400 steps: on the floor, most pups in contact.
 Simulation settled(const Params& params) {
   Simulation simulation(params);
   while (simulation.steps_done() < 400) step_on(simulation);
@@ -61,8 +60,8 @@ Simulation settled(const Params& params) {
 }
 
 /// Means over the steps after `discard` of a run from the start of `params`, or from its mirror
-/// image: the observables, and how fast pups go round the arena (the mean over pups of r_x v_y -
-/// r_y v_x of centres) and their headings turn, both of which a mirror reverses.
+/// image: run_statistics(), then two numbers that a mirror reverses: the mean over pups of
+/// r_x v_y - r_y v_x of centres, and the rate at which headings turn.
 std::vector<double> measure_turning(const Params& params, bool in_mirror) {
   Simulation simulation(params);
   if (in_mirror) simulation = mirrored(simulation);
@@ -73,21 +72,23 @@ std::vector<double> measure_turning(const Params& params, bool in_mirror) {
   std::vector<double> headings(params.pups);
   while (simulation.steps_done() < params.steps) {
     for (int pup = 0; pup < params.pups; ++pup) {
-      centres[pup] = simulation.centre(pup);
-      headings[pup] = simulation.heading()[pup];
+      centres[pup] = simulation.view().positions.mean(pup);
+      headings[pup] = simulation.view().heading[pup];
     }
     step_on(simulation);
     means.add(simulation, observer.observe(simulation));
     if (simulation.steps_done() <= params.discard) continue;
     for (int pup = 0; pup < params.pups; ++pup) {
-      const Eigen::Vector3d now = simulation.centre(pup);
+      const Eigen::Vector3d now = simulation.view().positions.mean(pup);
       round += (centres[pup].x() * now.y() - centres[pup].y() * now.x()) / params.dt;
-      turned += std::remainder(simulation.heading()[pup] - headings[pup], 2 * M_PI) / params.dt;
+      turned +=
+          std::remainder(simulation.view().heading[pup] - headings[pup], 2 * M_PI) / params.dt;
       ++count;
     }
   }
-  const Observables o = means.means();
-  return {o.mean_tb, o.huddling, o.groups, o.flow, round / count, turned / count};
+  std::vector<double> numbers = statistics_of(means);
+  numbers.insert(numbers.end(), {round / count, turned / count});
+  return numbers;
 }
 
 std::string steps_text(std::vector<double> steps, std::int64_t most) {
@@ -99,15 +100,15 @@ std::string steps_text(std::vector<double> steps, std::int64_t most) {
          ")";
 }
 
-/// Steps until a litter on the floor and itself with other numbers part, the same above the floor,
-/// and a litter on the floor and its image.
+/// Steps until these diverge: a litter on the floor and the same with other pup numbers; both above
+/// the floor; a litter on the floor and its mirror image.
 std::vector<double> partings(const Params& params, std::int64_t most) {
   const Simulation down = settled(params), up = lifted(down);
   const Expected renumbered = [](const Simulation& a, int pup) {
-    return a.centre(pup_before(pup, a.pups()));
+    return a.view().positions.mean(pup_before(pup, a.pups()));
   };
   const Expected image = [](const Simulation& a, int pup) {
-    const Eigen::Vector3d c = a.centre(pup);
+    const Eigen::Vector3d c = a.view().positions.mean(pup);
     return Eigen::Vector3d(c.x(), -c.y(), c.z());
   };
   const std::int64_t steps[] = {steps_until_apart(down, relabelled(down), renumbered, most),
@@ -155,20 +156,23 @@ void means_table(Report& report) {
         all_runs(in_mirror ? "mirrored" : "not mirrored", settings, static_cast<int>(seeds),
                  options, [&](const Params& p) { return measure_turning(p, in_mirror); });
   }
-  const char* const titles[] = {
-      "mean T_b", "1 − A", "groups", "flow, lag 1", "going round the arena", "turning, rad/s"};
+  io::Row titles;
+  add_statistic_labels(titles);
+  titles.insert(titles.end(), {"circulation in the arena", "turning, rad/s"});
+  std::vector<std::string> names = statistic_names();
+  names.insert(names.end(), {"circulation", "turning"});
   io::CsvFile csv = report.csv("mirror", settings[0],
-                               "heading,number,mean,mean_se,mirrored,mirrored_se,difference,"
+                               "heading,statistic,mean,mean_se,mirrored,mirrored_se,difference,"
                                "difference_se");
-  std::vector<io::Row> rows{{"heading", "", "as it is", "mirrored", "difference"}};
+  std::vector<io::Row> rows{{"heading", "", "not mirrored", "mirrored", "difference"}};
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const std::string heading = i == 0 ? "course" : "body";
-    for (std::size_t n = 0; n < std::size(titles); ++n) {
+    for (std::size_t n = 0; n < names.size(); ++n) {
       std::vector<double> difference(seeds);
       for (std::size_t s = 0; s < seeds; ++s) difference[s] = runs[1][i][n][s] - runs[0][i][n][s];
       const MeanAndError all[] = {mean_and_error(runs[0][i][n]), mean_and_error(runs[1][i][n]),
                                   mean_and_error(difference)};
-      csv.cell(std::string_view(heading)).cell(std::int64_t(n));
+      csv.cell(std::string_view(heading)).cell(names[n]);
       rows.push_back({heading, titles[n]});
       for (const MeanAndError& e : all) {
         csv.cell(e.mean).cell(e.error);
@@ -189,32 +193,34 @@ int pup_before(int pup, int pups) {
 
 Simulation relabelled(const Simulation& simulation) {
   Simulation other(simulation.params());
+  const LitterView from = simulation.view();
   for (int pup = 0; pup < simulation.pups(); ++pup) {
     const int source = pup_before(pup, simulation.pups());
-    place(other, pup, Eigen::Vector3d::Zero(), points_of(simulation, source),
-          velocities_of(simulation, source));
-    copy_temperature_and_heading(simulation, source, other, pup, 1);
+    place(other, pup, of_pup(from.positions, source), of_pup(from.velocities, source));
+    copy_temperature_and_heading(from, source, other, pup, 1);
   }
   return other;
 }
 
 Simulation mirrored(const Simulation& simulation) {
   Simulation other(simulation.params());
+  const LitterView from = simulation.view();
   const std::vector<std::size_t> partner = mirror_of_rest(simulation.params());
   for (int pup = 0; pup < simulation.pups(); ++pup) {
-    place(other, pup, Eigen::Vector3d::Zero(), through_mirror(points_of(simulation, pup), partner),
-          through_mirror(velocities_of(simulation, pup), partner));
-    copy_temperature_and_heading(simulation, pup, other, pup, -1);
+    place(other, pup, through_mirror(of_pup(from.positions, pup), partner),
+          through_mirror(of_pup(from.velocities, pup), partner));
+    copy_temperature_and_heading(from, pup, other, pup, -1);
   }
   return other;
 }
 
 Simulation lifted(const Simulation& simulation) {
   Simulation other = simulation;
+  const LitterView from = simulation.view();
   Rng random(1);
   for (int pup = 0; pup < simulation.pups(); ++pup) {
     const Eigen::Vector3d up(0, 0, random.uniform(3, 3.001));
-    place(other, pup, up, points_of(simulation, pup), velocities_of(simulation, pup));
+    place(other, pup, shifted(of_pup(from.positions, pup), up), of_pup(from.velocities, pup));
   }
   return other;
 }
@@ -225,7 +231,7 @@ std::int64_t steps_until_apart(Simulation a, Simulation b, const Expected& expec
     step_on(a);
     step_on(b);
     for (int pup = 0; pup < a.pups(); ++pup) {
-      if ((b.centre(pup) - expected(a, pup)).norm() > 1e-6) return step;
+      if ((b.view().positions.mean(pup) - expected(a, pup)).norm() > 1e-6) return step;
     }
   }
   return most + 1;
@@ -234,20 +240,20 @@ std::int64_t steps_until_apart(Simulation a, Simulation b, const Expected& expec
 void symmetry_section(Report& report) {
   report.heading("Pup numbers and mirrors");
   report.text(
-      "All points that stand on the floor are at the same height, exactly. Of two of them that "
-      "touch the one of the lower pup number counts as the upper and is moved, so other numbers "
-      "make another run. With heading = body a pup's first point lies on the line between left "
-      "and right, always, and counts as right, so a litter and its mirror image differ. The "
-      "table has after how many steps some pup's centre is more than 10⁻⁶ from where it should "
-      "be: the median over seeds, the least and the most. T_a = 0.2, from step 400 on, when the "
-      "litter is down. In the air (lifted by 3, each pup by up to 0.001 more) no two points "
-      "are at the same height.");
+      "All points that stand on the floor are at exactly the same height. Where two of them touch, "
+      "the point of the pup with the lower number counts as the upper one and is moved, so other "
+      "pup numbers give another run. With heading = body the first point of a pup always lies on "
+      "the line between left and right and counts as right, so a litter and its mirror image "
+      "differ. The table shows the number of steps after which the centre of a pup is more than "
+      "10⁻⁶ from its expected place: the median over seeds, the minimum and the maximum. T_a = "
+      "0.2, from step 400 on, when the litter is on the floor. In the air (lifted by 3, each pup "
+      "by up to 0.001 more) no two points are at the same height.");
   partings_table(report);
   report.text(
-      "Means over steps 501 to 1500 of litters from the start and from its mirror image. Starts "
-      "are as likely as their images, so the first four means cannot differ by more than chance "
-      "even where runs do; what a mirror reverses, the last two, would be 0 but for chance if the "
-      "model had no sides.");
+      "Means over steps 501 to 1500 of litters from the start and from its mirror image. A start "
+      "is as likely as its mirror image, so all means but the last two can differ only by chance. "
+      "A mirror reverses the last two, so they would be 0 up to chance if the model were symmetric "
+      "under reflection.");
   means_table(report);
 }
 

@@ -1,4 +1,4 @@
-// What should not matter to a litter and does: the numbers of its pups, and a mirror.
+// The numbers of the pups and a mirror image should not change a litter, but they do.
 #pragma once
 
 #include "app/report/validation/runs.h"
@@ -10,7 +10,7 @@ namespace pupflow::report {
 Simulation relabelled(const Simulation& simulation);
 
 /// The litter of `simulation` mirrored in the plane y = 0. Each body is mirrored in itself, too, by
-/// a symmetry of its rest shape that keeps its first point, so that it is the same body turned.
+/// a symmetry of its rest shape that keeps its first point, so that it is the same body, turned.
 Simulation mirrored(const Simulation& simulation);
 
 /// `simulation` with each pup above the floor, by 3 to 3.001 at random, so that no two

@@ -1,9 +1,9 @@
-// The same litter in other units of length: what would be the same model if its rules had the
-// dimensions that they should.
+// The same litter in other units of length. The model changes, since its rules are not
+// dimensionally consistent.
 #include "app/report/validation/units.h"
-#include "app/report/error/pups.h"
+#include "app/report/statistics.h"
 #include "app/report/validation/sections.h"
-#include "pupflow/ensemble.h"
+#include "engine/bodies.h"
 
 namespace pupflow::report {
 namespace {
@@ -18,11 +18,12 @@ std::vector<double> measure_scaled(const Params& params) {
     means.add(simulation, observer.observe(simulation));
     if (simulation.steps_done() <= params.discard) continue;
     for (int pup = 0; pup < params.pups; ++pup) {
-      highest = std::max(highest, simulation.centre(pup).z() / params.pup_radius);
+      highest = std::max(highest, simulation.view().positions.mean(pup).z() / params.pup_radius);
     }
   }
-  const Observables o = means.means();
-  return {o.mean_tb, o.huddling, o.groups, o.largest, o.flow, highest};
+  std::vector<double> numbers = statistics_of(means);
+  numbers.push_back(highest);
+  return numbers;
 }
 
 }  // namespace
@@ -39,10 +40,9 @@ Simulation scaled_litter(const Params& params, double scale) {
   const Simulation ordinary(in_unit(params, 1 / scale));
   Simulation simulation(params);
   for (int pup = 0; pup < params.pups; ++pup) {
-    Points points = points_of(ordinary, pup);
+    Points points = of_pup(ordinary.view().positions, pup);
     for (Eigen::Vector3d& point : points) point *= scale;
-    place(simulation, pup, Eigen::Vector3d::Zero(), points,
-          Points(points.size(), Eigen::Vector3d::Zero()));
+    place(simulation, pup, points);
   }
   return simulation;
 }
@@ -54,12 +54,13 @@ Parting part_by_unit(const Params& params, double scale, std::int64_t most) {
   while (ordinary.steps_done() < most && parting.step == 0) {
     step_on(ordinary);
     step_on(scaled);
-    if (parting.contact == 0 && !ordinary.touching().empty()) {
+    if (parting.contact == 0 && !ordinary.view().touching.empty()) {
       parting.contact = ordinary.steps_done();
     }
     for (int pup = 0; pup < params.pups; ++pup) {
-      const double apart = (scaled.centre(pup) / scale - ordinary.centre(pup)).norm();
-      if (apart > 1e-6) parting.step = ordinary.steps_done();
+      const Eigen::Vector3d here = ordinary.view().positions.mean(pup);
+      if ((scaled.view().positions.mean(pup) / scale - here).norm() > 1e-6)
+        parting.step = ordinary.steps_done();
     }
   }
   return parting;
@@ -69,12 +70,12 @@ void units_section(Report& report) {
   const Options& options = report.options();
   report.heading("Another unit of length");
   report.text(
-      "All lengths times a factor, gravity and drive with them, and the same start: in another "
-      "unit of length it is the same litter. The model is not the same. A contact displaces a "
-      "point by (p_a − p_b)(2 r_point − d), a length times a length, so ten times as far against "
-      "ten times the length, and a wall adds a velocity of ½, whatever a length is. (The velocity "
-      "that a contact sets, p_b − p_a, does scale, though it lacks a rate.) Highest is the height "
-      "of the highest pup's centre after step 500, in radii.");
+      "All lengths, gravity and drive are multiplied by a factor, from the same start: this is the "
+      "same litter in another unit of length. The rules of the model are not the same. A contact "
+      "displaces a point by (p_a − p_b)(2 r_point − d), a length times a length, so for lengths "
+      "ten times as large it is a hundred times as large. A wall adds a velocity of ½ in any unit. "
+      "(The velocity that a contact sets, p_b − p_a, does scale, though it lacks a rate.) Highest "
+      "is the height of the highest pup's centre after step 500, in radii.");
   std::vector<Params> settings;
   const std::vector<double> scales =
       options.quick ? std::vector{1.0, 10.0} : std::vector{0.1, 0.5, 1.0, 2.0, 10.0};
@@ -89,11 +90,11 @@ void units_section(Report& report) {
   }
   const auto means =
       means_of_runs("units", settings, options.quick ? 2 : 10, options, measure_scaled);
-  io::CsvFile csv = report.csv("units", Params{},
-                               "ta,factor,mean_tb,mean_tb_se,huddling,huddling_se,groups,"
-                               "groups_se,largest,largest_se,flow,flow_se,highest,highest_se");
-  std::vector<io::Row> rows{
-      {"T_a", "factor", "mean T_b", "1 − A", "groups", "largest", "flow, lag 1", "highest"}};
+  io::CsvFile csv =
+      report.csv("units", Params{}, "ta,factor" + statistic_columns() + ",highest,highest_se");
+  std::vector<io::Row> rows{{"T_a", "factor"}};
+  add_statistic_labels(rows[0]);
+  rows[0].emplace_back("highest");
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const double scale = scales[i % scales.size()];
     csv.cell(settings[i].ambient_temperature).cell(scale);

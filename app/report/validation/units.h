@@ -12,7 +12,7 @@ Params in_unit(Params params, double scale);
 /// rule for the start has lengths of its own.
 Simulation scaled_litter(const Params& params, double scale);
 
-/// When a litter and itself in another unit part.
+/// When a litter and the same litter in another unit diverge.
 struct Parting {
   std::int64_t contact = 0;  // the first step in which pups touch; 0 if none does
   std::int64_t step = 0;     // the first after which centres are more than 1e-6 apart; 0 if none is

@@ -1,4 +1,4 @@
-// pupflow report validation: what the model does, beside what the paper says that it does.
+// pupflow report validation: measurements of the model, to compare with the paper.
 #pragma once
 
 #include "app/report/report.h"

@@ -1,4 +1,4 @@
-// Where the pups are in the long run: nothing slows or turns a pup that touches nobody.
+// Where the pups are after long runs: nothing slows or turns a pup without contact.
 #include <cmath>
 
 #include "app/report/validation/runs.h"
@@ -26,7 +26,7 @@ std::vector<double> measure_places(const Params& params, const std::vector<std::
       if (simulation.steps_done() + 100 <= look) continue;
       ++steps;
       for (int pup = 0; pup < params.pups; ++pup) {
-        const Eigen::Vector3d centre = simulation.centre(pup);
+        const Eigen::Vector3d centre = simulation.view().positions.mean(pup);
         beyond += std::hypot(centre.x(), centre.y()) > kNear ? 1 : 0;
       }
     } while (simulation.steps_done() < look);
@@ -40,13 +40,13 @@ std::vector<double> measure_places(const Params& params, const std::vector<std::
 void wall_section(Report& report) {
   const Options& options = report.options();
   const std::vector<std::int64_t> at = looks(options.quick);
-  report.heading("Where pups are in the long run");
+  report.heading("Positions in long runs");
   report.text(
-      "A pup that touches nobody feels the same temperature left and right, so it keeps its "
-      "course, and no friction slows it: it goes to the wall and stays there until somebody "
-      "touches it. The table has the share of pups whose centre is more than 1.6 from the middle "
-      "of the arena, whose radius is 2; a pup at the wall is at about 1.7. Each row is the mean "
-      "over the 100 steps up to its step.");
+      "A pup without contact feels the same temperature left and right, so it keeps its course, "
+      "and no friction slows it: it moves to the wall and stays there until another pup touches "
+      "it. The table shows the share of pups whose centre is more than 1.6 from the middle of the "
+      "arena, whose radius is 2; a pup at the wall is at about 1.7. Each row is the mean over the "
+      "100 steps up to its step.");
   std::vector<Params> settings;
   std::vector<io::Row> rows{{"step"}};
   for (const double ta : {0.2, 0.5, 0.6, 0.8}) {

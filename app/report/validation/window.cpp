@@ -1,4 +1,5 @@
-// What a run's window changes: the paper's steps 501 to 1500 beside later ones.
+// How the means depend on their window: the paper's steps 501 to 1500, and later ones.
+#include "app/report/statistics.h"
 #include "app/report/validation/readings.h"
 #include "app/report/validation/sections.h"
 #include "pupflow/observer.h"
@@ -13,7 +14,8 @@ struct Window {
 constexpr Window kWindows[] = {
     {"501–1500", 500, 1500}, {"2501–4000", 2500, 4000}, {"3001–6000", 3000, 6000}};
 
-/// The numbers of measure_reading for each window that a run of `params.steps` steps covers.
+/// The statistics of a run for each window that its `params.steps` steps cover, one window after the
+/// other.
 std::vector<double> measure_windows(const Params& params) {
   Simulation simulation(params);
   Observer observer(simulation);
@@ -26,7 +28,7 @@ std::vector<double> measure_windows(const Params& params) {
     for (std::size_t i = 0; i < std::size(kWindows); ++i) {
       if (simulation.steps_done() <= kWindows[i].steps) means[i].add(simulation, now);
       if (simulation.steps_done() != kWindows[i].steps) continue;
-      const std::vector<double> own = numbers_of(means[i]);
+      const std::vector<double> own = statistics_of(means[i]);
       numbers.insert(numbers.end(), own.begin(), own.end());
     }
   }
@@ -35,21 +37,20 @@ std::vector<double> measure_windows(const Params& params) {
 
 void show(Report& report, const std::string& name, const std::vector<Params>& settings,
           const std::vector<std::vector<MeanAndError>>& means) {
-  std::string columns = "contact,ta,window";
-  for (const std::string number : kNumberNames) columns += "," + number + "," + number + "_se";
-  io::CsvFile csv = report.csv(name, Params{}, columns);
-  std::vector<io::Row> rows{{"contact", "T_a", "steps", "mean T_b", "1 − A", "groups", "largest",
-                             "flow, lag 1", "sd of A"}};
+  io::CsvFile csv = report.csv(name, Params{}, "contact,ta,window" + statistic_columns());
+  std::vector<io::Row> rows{{"contact", "T_a", "steps"}};
+  add_statistic_labels(rows[0]);
   const auto reading = [&](std::size_t i) {
     return kReadings[static_cast<std::size_t>(settings[i].contact)].name;
   };
-  const std::size_t windows = means[0].size() / kNumberNames.size();
-  // The file has a window's rows together, since a plot joins them; the page those of a T_a.
+  const std::size_t windows = means[0].size() / kRunStatisticCount;
+  // In the file the rows of a window are together, since a plot joins them; on the page those of
+  // one T_a.
   for (std::size_t window = 0; window < windows; ++window) {
     for (std::size_t i = 0; i < settings.size(); ++i) {
       csv.cell(reading(i)).cell(settings[i].ambient_temperature).cell(kWindows[window].name);
-      for (std::size_t n = 0; n < kNumberNames.size(); ++n) {
-        const MeanAndError& number = means[i][window * kNumberNames.size() + n];
+      for (std::size_t n = 0; n < kRunStatisticCount; ++n) {
+        const MeanAndError& number = means[i][window * kRunStatisticCount + n];
         csv.cell(number.mean).cell(number.error);
       }
       csv.end_row();
@@ -58,8 +59,8 @@ void show(Report& report, const std::string& name, const std::vector<Params>& se
   for (std::size_t i = 0; i < settings.size(); ++i) {
     for (std::size_t window = 0; window < windows; ++window) {
       rows.push_back({reading(i), rounded(settings[i].ambient_temperature), kWindows[window].name});
-      for (std::size_t n = 0; n < kNumberNames.size(); ++n) {
-        rows.back().push_back(text_of(means[i][window * kNumberNames.size() + n]));
+      for (std::size_t n = 0; n < kRunStatisticCount; ++n) {
+        rows.back().push_back(text_of(means[i][window * kRunStatisticCount + n]));
       }
     }
   }
@@ -72,16 +73,16 @@ void add_figure(Report& report) {
       "  set multiplot layout 1,3 margins 0.06,0.985,0.15,0.9 spacing 0.075,0\n"
       "  set xlabel 'ambient temperature T_a'\n  set xtics 0.1\n  set yrange [0:*]\n  set grid lc "
       "'#dddddd'\n";
-  const char* const panels[][2] = {{"huddling", "huddling 1 − A"},
-                                   {"flow", "pup flow, lag 1 (1/s)"},
-                                   {"exposed_sd", "standard deviation of A"}};
-  for (const auto& panel : panels) {
-    body += "  set title '" + std::string(panel[1]) + "'\n";
-    body += &panel == &panels[0] ? "  set key bottom left Left reverse\n" : "  unset key\n";
+  const std::size_t panels[] = {statistic_of(Observable::huddling), statistic_of(Observable::flow),
+                                kExposedSd};
+  for (const std::size_t panel : panels) {
+    const std::string column(run_statistics()[panel].name);
+    body += "  set title '" + std::string(run_statistics()[panel].label) + "'\n";
+    body += panel == panels[0] ? "  set key bottom left Left reverse\n" : "  unset key\n";
     std::string plots;
     const char* const colors[] = {"#999999", "#0072B2"};
     for (std::size_t window = 0; window < 2; ++window) {
-      const std::string name = kWindows[window].name, column = panel[0];
+      const std::string name = kWindows[window].name;
       plots += (window > 0 ? ", \\\n       " : "") +
                ("'window.csv' using (strcol('window') eq '" + name + "' ? column('ta') : NaN):'") +
                column + "':(2*column('" + column +
@@ -90,7 +91,7 @@ void add_figure(Report& report) {
     }
     body += "  plot " + plots + "\n";
   }
-  report.figure("window", "The paper's window and a settled one; bars are two standard errors",
+  report.figure("window", "The paper's window and a later one; bars are two standard errors",
                 body + "  unset multiplot\n", Params{}, 1180, 400);
 }
 
@@ -98,10 +99,10 @@ void add_figure(Report& report) {
 
 void window_section(Report& report) {
   const Options& options = report.options();
-  report.heading("The paper's window and settled litters");
+  report.heading("The paper's window and later windows");
   report.text(
       "The same litters in the paper's window, steps 501 to 1500, and later. Where two rows "
-      "differ by several standard errors, the earlier one is not settled.");
+      "differ by several standard errors, the litter was not yet stationary in the earlier one.");
   std::vector<Params> settings;
   for (const double ta : options.quick ? std::vector{0.4, 0.55} : spaced(0.3, 0.65, 15)) {
     settings.emplace_back();

@@ -1,8 +1,10 @@
 // Scene 5 of the error report: heat, where the closed form is known.
 #include <cmath>
 
-#include "app/report/error/pups.h"
+#include "app/report/error/sampling.h"
 #include "app/report/error/scenes/scenes.h"
+#include "app/report/error/settings.h"
+#include "engine/bodies.h"
 #include "engine/heat.h"
 
 namespace pupflow::report {
@@ -10,22 +12,18 @@ namespace {
 
 constexpr int kSamples = 50;  // one model second
 
-/// A pup of few points far from everything: only its heat matters.
+/// One pup far from floor and wall: only its heat matters.
 Params alone() {
-  Params p;
-  p.pups = 1;
-  p.gravity = 0;
-  p.drive = 0;
-  p.arena_radius = 1000;
+  Params p = weightless_pup();
   p.initial_temperature = 1;
   p.ambient_temperature = 0.2;
   return p;
 }
 
-/// Two thirds of the surface exposed, the rest against a neighbour at 0.5 that stays so.
+/// A share of 2/3 is exposed. The rest touches a neighbour whose T_b stays 0.5.
 constexpr double kExposed = 2.0 / 3, kNeighbour = 0.5;
 
-/// One pup through the whole step, then two through the heat rule alone, whose exposure is held.
+/// One pup goes through whole steps, and two through the heat rule alone with a fixed exposed share.
 Outcome run(const Setting& setting) {
   Simulation simulation(setting.params);
   Params fast = setting.params, stiff = setting.params;
@@ -34,8 +32,8 @@ Outcome run(const Setting& setting) {
   double fast_tb = fast.initial_temperature, stiff_tb = stiff.initial_temperature;
   return run_sampled(
       simulation, kSamples, 3,
-      [&](const Simulation& s, Trajectory& to) {
-        to[0].push_back(s.body_temperature()[0]);
+      [&](const LitterView& s, Trajectory& to) {
+        to[0].push_back(s.tb[0]);
         to[1].push_back(fast_tb);
         to[2].push_back(stiff_tb);
       },
@@ -63,19 +61,19 @@ void closed_form(Trajectory& right) {
 
 }  // namespace
 
-Scene cooling_scene(bool quick) {
-  Scene scene;
+ErrorScene cooling_scene(bool quick) {
+  ErrorScene scene;
   scene.name = "cooling";
   scene.title = "5. Cooling and heating";
   scene.about =
-      "A pup of T_b = 1 cools by itself in air of 0.2 for one second (k₁ = 0.9). Beside it the "
-      "heat rule alone is stepped for a pup with two thirds of its surface in that air and one "
-      "third against a neighbour that stays at 0.5, once with k₁ = 100 and k₂ = 30, once stiff, "
-      "with both 10⁴. All three have a closed form, an exponential approach to equilibrium. `heat "
-      "= exact`, the default, is that form, so it has no row here: what is left of its error is "
-      "rounding, and a step of it takes as long as one of `euler`. Euler is of first order, and "
-      "beyond 2/h, 200 per second at the default step, it grows without bound: the stiff pup's "
-      "errors are real, and not drawn.";
+      "A pup with T_b = 1 cools alone at T_a = 0.2 for one second (k₁ = 0.9). The heat rule alone "
+      "is also stepped for a pup with two thirds of its surface exposed and one third in contact "
+      "with a neighbour whose T_b stays 0.5: once with k₁ = 100 and k₂ = 30, and once stiff, with "
+      "k₁ = k₂ = 10⁴. All three have a closed form, an exponential approach to equilibrium. `heat "
+      "= exact`, the default, is that form, so it has no row here: its error is rounding, and its "
+      "step takes as long as one of `euler`. Euler is of first order. It grows without bound when "
+      "the rate is above 2/h, which is 200 per second at the default step. So the errors of the "
+      "stiff pup are large and not drawn.";
   scene.smallest_drawn = 1e-7;
   scene.quantities = {{"cooling", "T_b at k1 = 0.9"},
                       {"fast", "T_b at k1 = 100"},
@@ -83,7 +81,7 @@ Scene cooling_scene(bool quick) {
   const Params exact = alone();
   Params euler = exact;
   euler.heat = HeatRule::euler;
-  // Heat alone matters, so the steps need no consistent refinement and no time for it.
+  // Only heat matters here, so refinement = naive saves time.
   scene.curves = {{"Euler", halved_naively(euler, quick ? 16 : 256), true}};
   scene.standard = {"dt = 0.01, exact, double", exact, 0};
   scene.standard_is_exact = true;

@@ -1,8 +1,10 @@
 // Scene 1 of the error report: a pup falls and lands.
 #include <cmath>
 
-#include "app/report/error/pups.h"
+#include "app/report/error/sampling.h"
 #include "app/report/error/scenes/scenes.h"
+#include "app/report/error/settings.h"
+#include "engine/bodies.h"
 
 namespace pupflow::report {
 namespace {
@@ -19,13 +21,13 @@ Params pup() {
 
 Outcome run(const Setting& setting, int samples) {
   Simulation simulation(setting.params);
-  const Points offsets = rest_points(setting.params, oblique_rotation());
-  place(simulation, 0, {0, 0, kHeight}, offsets, Points(offsets.size(), Eigen::Vector3d::Zero()));
-  return run_sampled(simulation, samples, 3, [](const Simulation& s, Trajectory& to) {
-    const Pose pose = pose_of(s, 0);
+  place(simulation, 0, shifted(rest_points(setting.params, oblique_rotation()), {0, 0, kHeight}));
+  const Points rest = rest_points(setting.params);
+  return run_sampled(simulation, samples, 3, [&](const LitterView& s, Trajectory& to) {
+    const Pose pose = pose_of(of_pup(s.positions, 0), rest);
     if (to[0].size() < kFalling) to[0].push_back(kHeight - pose.centre.z());
     to[1].push_back(pose.centre.z());
-    to[2].push_back(pose.strain);
+    to[2].push_back(pose.energy);
   });
 }
 
@@ -37,15 +39,15 @@ void closed_form(Trajectory& right) {
 
 }  // namespace
 
-Scene fall_scene(bool quick) {
-  Scene scene;
+ErrorScene fall_scene(bool quick) {
+  ErrorScene scene;
   scene.name = "fall";
   scene.title = "1. Free fall and landing";
   scene.about =
       "A pup falls from 0.3 above its rest height, lands on one of its points at 0.245 s, is "
-      "flattened and bounces, for 0.4 s in all. Free fall has a closed form; height and strain "
-      "(mean squared distance of the points from the undeformed pup, over r²) across the landing "
-      "have a fine run for an answer.";
+      "flattened and bounces, for 0.4 s in all. Free fall has a closed form. For height and strain "
+      "(mean squared distance of the points from the undeformed pup, over r²) during the landing, "
+      "the reference is a run with fine steps.";
   scene.quantities = {
       {"fall", "depth fallen before landing"}, {"height", "height"}, {"strain", "strain"}};
   const Params p = pup();

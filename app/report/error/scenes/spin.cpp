@@ -4,7 +4,7 @@
 
 #include "app/report/error/rotations.h"
 #include "app/report/error/scenes/scenes.h"
-#include "engine/rotation.h"
+#include "app/report/error/settings.h"
 
 namespace pupflow::report {
 namespace {
@@ -25,36 +25,33 @@ void push_matrix(const Eigen::Matrix3d& matrix, std::vector<double>& to) {
 }
 
 void look(const Points& rest, const Points& points, const Points& velocities, Trajectory& to) {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero(), spin = centre;
-  for (const Eigen::Vector3d& p : points) centre += p / static_cast<double>(points.size());
-  Eigen::Matrix3d fit = Eigen::Matrix3d::Zero();
+  const Pose pose = pose_of(points, rest);
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    spin += (points[i] - centre).cross(velocities[i]);
-    fit += (points[i] - centre) * rest[i].transpose();
+    momentum += (points[i] - pose.centre).cross(velocities[i]);
   }
-  to[0].insert(to[0].end(), spin.data(), spin.data() + 3);
-  const Eigen::Matrix3d rotation = nearest_rotation(fit).matrix;
-  push_matrix(rotation, to[1]);
-  push_matrix(rotation, to[2]);
+  to[0].insert(to[0].end(), momentum.data(), momentum.data() + 3);
+  push_matrix(pose.rotation, to[1]);
+  push_matrix(pose.rotation, to[2]);
 }
 
 Outcome run(const Setting& setting) {
-  const Points rest = rest_points(setting.params, Eigen::Matrix3d::Identity());
-  Points offsets = rest_points(setting.params, oblique_rotation()), velocities;
+  const Points rest = rest_points(setting.params);
+  const Points offsets = rest_points(setting.params, oblique_rotation());
+  Points velocities;
   for (const Eigen::Vector3d& p : offsets) velocities.push_back(kSpin.cross(p));
-  const Eigen::Vector3d centre(0, 0, 0.5);
+  const Points points = shifted(offsets, {0, 0, 0.5});
   if (setting.routine == 0) {
     Simulation simulation(setting.params);
-    place(simulation, 0, centre, offsets, velocities);
-    return run_sampled(simulation, kSamples, 3, [&](const Simulation& s, Trajectory& to) {
-      look(rest, points_of(s, 0), velocities_of(s, 0), to);
+    place(simulation, 0, points, velocities);
+    return run_sampled(simulation, kSamples, 3, [&](const LitterView& s, Trajectory& to) {
+      look(rest, of_pup(s.positions, 0), of_pup(s.velocities, 0), to);
     });
   }
-  for (Eigen::Vector3d& p : offsets) p += centre;
-  return run_with_rotation(setting.params, static_cast<Routine>(setting.routine - 1), offsets,
+  return run_with_rotation(setting.params, static_cast<Routine>(setting.routine - 1), points,
                            velocities, kSamples, 3,
-                           [&](const Points& points, const Points& speeds, Trajectory& to) {
-                             look(rest, points, speeds, to);
+                           [&](const Points& now, const Points& speeds, Trajectory& to) {
+                             look(rest, now, speeds, to);
                            });
 }
 
@@ -75,15 +72,15 @@ void closed_form(Trajectory& right) {
 
 }  // namespace
 
-Scene spin_scene(bool quick) {
-  Scene scene;
+ErrorScene spin_scene(bool quick) {
+  ErrorScene scene;
   scene.name = "spin";
   scene.title = "2. Free spin";
   scene.about =
       "A weightless pup turns at 1 rad/s about an oblique axis for one second. Its angular "
-      "momentum should stay what it was. Its orientation is held against a fine run of the same "
-      "soft body, and against the rotation of a rigid one: a soft body widens a little as it turns "
-      "and falls behind, and where the third error stops falling, that is why.";
+      "momentum should be constant. Its orientation is compared with a run of the same soft body "
+      "with fine steps, and with the rotation of a rigid body. A soft body widens a little as it "
+      "turns, so it turns more slowly; therefore the third error does not converge to 0.";
   scene.quantities = {{"momentum", "angular momentum"},
                       {"orientation", "orientation"},
                       {"rigid", "orientation against a rigid body's"}};

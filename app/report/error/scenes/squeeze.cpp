@@ -3,6 +3,7 @@
 
 #include "app/report/error/rotations.h"
 #include "app/report/error/scenes/scenes.h"
+#include "app/report/error/settings.h"
 
 namespace pupflow::report {
 namespace {
@@ -28,11 +29,10 @@ Eigen::Vector3d displacement(int mode, const Eigen::Vector3d& q) {
   return scale * Eigen::Vector3d(u.x() * u.y() * u.z(), 0, 0);
 }
 
-/// How much of each displacement is left, 1 at first.
+/// The share of each displacement that is left; 1 at first.
 void look(const Points& rest, const Points& points, Trajectory& to) {
   const Eigen::Matrix3d turn = oblique_rotation();
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : points) centre += p / static_cast<double>(points.size());
+  const Eigen::Vector3d centre = pose_of(points, rest).centre;
   for (int mode = 0; mode < 3; ++mode) {
     double along = 0, all = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -45,26 +45,25 @@ void look(const Points& rest, const Points& points, Trajectory& to) {
 }
 
 Outcome run(const Setting& setting) {
-  const Points rest = rest_points(setting.params, Eigen::Matrix3d::Identity());
+  const Points rest = rest_points(setting.params);
   Points offsets;
   for (const Eigen::Vector3d& q : rest) {
     Eigen::Vector3d sum = q;
     for (int mode = 0; mode < 3; ++mode) sum += displacement(mode, q);
     offsets.emplace_back(oblique_rotation() * sum);
   }
-  const Points still(rest.size(), Eigen::Vector3d::Zero());
-  const Eigen::Vector3d centre(0, 0, 0.5);
+  const Points points = shifted(offsets, {0, 0, 0.5});
   if (setting.routine == 0) {
     Simulation simulation(setting.params);
-    place(simulation, 0, centre, offsets, still);
-    return run_sampled(simulation, kSamples, 3, [&](const Simulation& s, Trajectory& to) {
-      look(rest, points_of(s, 0), to);
+    place(simulation, 0, points);
+    return run_sampled(simulation, kSamples, 3, [&](const LitterView& s, Trajectory& to) {
+      look(rest, of_pup(s.positions, 0), to);
     });
   }
-  for (Eigen::Vector3d& p : offsets) p += centre;
+  const Points still(rest.size(), Eigen::Vector3d::Zero());
   return run_with_rotation(
-      setting.params, static_cast<Routine>(setting.routine - 1), offsets, still, kSamples, 3,
-      [&](const Points& points, const Points&, Trajectory& to) { look(rest, points, to); });
+      setting.params, static_cast<Routine>(setting.routine - 1), points, still, kSamples, 3,
+      [&](const Points& now, const Points&, Trajectory& to) { look(rest, now, to); });
 }
 
 /// The solution of d'' + 2 gamma d' + (gamma^2 + omega^2) d = 0 from d = 1 at rest; engine/
@@ -87,21 +86,20 @@ void closed_form(Trajectory& right) {
 
 }  // namespace
 
-Scene squeeze_scene(bool quick) {
-  Scene scene;
+ErrorScene squeeze_scene(bool quick) {
+  ErrorScene scene;
   scene.name = "squeeze";
   scene.title = "3. A squeezed pup springs back";
   scene.about =
-      "A weightless pup is deformed a little in three ways at once and let go: bent in a way that "
-      "the quadratic fit can represent, blown up, and rippled in a way that the fit cannot "
+      "A weightless pup is deformed a little in three ways at once and released: bent in a mode "
+      "that the quadratic fit can represent, enlarged, and deformed in a mode that the fit cannot "
       "represent. Each amplitude should follow the damped oscillator to which consistent "
-      "refinement converges (docs/model.md, Refining the time step). Naive refinement, at fixed α, "
-      "does not: with every halving of the step the body gets stiffer, and it ends at another "
-      "motion. The explicit integrator has another limit as well, an oscillator without damping. "
-      "Deformations are 10⁻⁴ of the radius, so the closed form is off by about as much, and floats "
-      "resolve only three digits of them. Since the "
-      "answer decays to nothing, errors are divided by the amplitude at first, not by what is left "
-      "of it.";
+      "refinement converges (docs/model.md, Refining the time step). Naive refinement keeps α, so "
+      "each halving of the step makes the body stiffer, and it converges to another motion. The "
+      "explicit integrator has another limit, too: an oscillator without damping. The deformations "
+      "are 10⁻⁴ of the radius, so the closed form has a relative error of about 10⁻⁴, and single "
+      "precision resolves only three digits of them. The exact amplitude decays to 0, so errors "
+      "are divided by the amplitude at first.";
   scene.smallest_drawn = 1e-4;
   scene.quantities = {{"bend", "bend (fitted)", 1},
                       {"growth", "growth (volume)", 1},

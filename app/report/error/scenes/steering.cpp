@@ -1,6 +1,8 @@
 // Scene 6 of the error report: a pup passes a fixed warm neighbour.
-#include "app/report/error/pups.h"
+#include "app/report/error/sampling.h"
 #include "app/report/error/scenes/scenes.h"
+#include "app/report/error/settings.h"
+#include "engine/bodies.h"
 
 namespace pupflow::report {
 namespace {
@@ -11,47 +13,45 @@ Params passing() {
   Params p;
   p.pups = 2;
   p.gravity = 0;
-  p.air_conductance = p.contact_conductance = p.thermogenesis =
-      0;  // temperatures stay as they are set
+  // Temperatures stay as they are set.
+  p.air_conductance = p.contact_conductance = p.thermogenesis = 0;
   p.ambient_temperature = 0.3;
   return p;
 }
 
 Outcome run(const Setting& setting) {
   Simulation simulation(setting.params);
-  const Points upright = rest_points(setting.params, Eigen::Matrix3d::Identity());
   const Points oblique = rest_points(setting.params, oblique_rotation());
-  const Points still(upright.size(), Eigen::Vector3d::Zero());
-  const Points moving(upright.size(), Eigen::Vector3d(1, 0, 0));
-  const Eigen::Vector3d fixed(0, 0, 0.7);
-  place(simulation, 0, {-0.7, 0.52, 0.72}, oblique, moving);
+  const Points fixed = shifted(rest_points(setting.params), {0, 0, 0.7});
+  place(simulation, 0, shifted(oblique, {-0.7, 0.52, 0.72}), Eigen::Vector3d(1, 0, 0));
   simulation.set_heading(0, 0);
   simulation.set_body_temperature(0, 0.4);
   simulation.set_body_temperature(1, 0.9);
-  const auto hold = [&](Simulation& s) { place(s, 1, fixed, upright, still); };
+  const auto hold = [&](Simulation& s) { place(s, 1, fixed); };
   hold(simulation);
   return run_sampled(
       simulation, kSamples, 2,
-      [](const Simulation& s, Trajectory& to) {
-        const Eigen::Vector3d centre = s.centre(0);
+      [](const LitterView& s, Trajectory& to) {
+        const Eigen::Vector3d centre = s.positions.mean(0);
         to[0].insert(to[0].end(), centre.data(), centre.data() + 3);
-        to[1].push_back(s.heading()[0]);
+        to[1].push_back(s.heading[0]);
       },
       hold);
 }
 
 }  // namespace
 
-Scene steering_scene(bool quick) {
-  Scene scene;
+ErrorScene steering_scene(bool quick) {
+  ErrorScene scene;
   scene.name = "steering";
   scene.title = "6. Steering past a warm neighbour";
   scene.about =
-      "A cold pup (T_b = 0.4) passes a warm one (0.9) that is put back into its place after every "
-      "step, grazes it and turns towards it, for one second, without weight. Held against a fine "
-      "run: its path and its course θ. This is the scene that converges worst. Contacts set "
-      "velocities once a step, so while the pups graze each other the path depends on how often "
-      "that happens; only well below dt = 0.01/8 does halving the step begin to halve the error.";
+      "A cold pup (T_b = 0.4) without weight passes a warm one (T_b = 0.9) for one second, touches "
+      "it and turns towards it. The warm pup is put back into its place after every step. The "
+      "path and the course θ of the cold pup are compared with a run with fine steps. Of all "
+      "scenes this one converges most slowly. Contacts set velocities once a step, so the path "
+      "depends on the number of steps in contact. Halving the step begins to halve the error only "
+      "well below dt = 0.01/8.";
   scene.smallest_drawn = 1e-3;
   scene.quantities = {{"path", "path"}, {"course", "course"}};
   const Params p = passing();

@@ -1,6 +1,6 @@
-// Extreme scenes of single bodies: their stiffness, deformations to begin with, their points.
-#include "app/report/stability/extreme/each.h"
-#include "app/report/stability/extreme/extreme.h"
+// Extreme scenes of single bodies: stiffness, initial deformation, number and size of points.
+#include "app/report/stability/extreme/finding.h"
+#include "app/report/stability/extreme/runs.h"
 #include "pupflow/overlap.h"
 
 namespace pupflow::report::extreme {
@@ -9,21 +9,21 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// A cloud deformed by `map` and left alone; weightless, so only shape matching acts.
+/// A weightless cloud deformed by `map` at first, so that only shape matching acts.
 Finding deformed(Precision precision, const Eigen::Matrix3d& map) {
   Finding all{true, ""};
   for (const double beta : {0.0, 0.5}) {
     Params params = weightless(precision);
     params.deformation = beta;
     Simulation simulation(params);
-    Cloud3 cloud = cloud_of(simulation, 0);
-    const Vector3d centre = simulation.centre(0);
+    Points cloud = of_pup(simulation.view().positions, 0);
+    const Vector3d centre = simulation.view().positions.mean(0);
     for (Vector3d& point : cloud) point = centre + map * (point - centre);
     place(simulation, 0, cloud);
     Finding finding = run_fine(simulation, 200);
     const Shape shape = shapes_of(simulation).front();
-    demand(finding, "deformation energy", shape.energy, 0, 1e-5);
-    demand(finding, "volume", shape.volume, 0.99, 1.01);
+    require(finding, "deformation energy", shape.energy, 0, 1e-5);
+    require(finding, "volume", shape.volume, 0.99, 1.01);
     all.ok = all.ok && finding.ok;
     all.happened += (beta > 0 ? ". β = 0.5: " : "β = 0: ") + finding.happened;
   }
@@ -43,7 +43,7 @@ Finding alpha_beta(Precision precision, double alpha, double beta, Integrator in
   const Status status = simulation.run(steps);
   const double energy = largest_energy(shapes_of(simulation));
   if (integrator == Integrator::explicit_) {
-    // Undamped: what counts is that it is either fine or named.
+    // Undamped: it is either fine or ends in a status that names the step.
     Finding finding{status.ok() ? finite(simulation) : status.step == simulation.steps_done() + 1,
                     status.message()};
     if (alpha > 0) finding.ok = finding.ok && status.kind == Status::Kind::diverged;
@@ -55,9 +55,9 @@ Finding alpha_beta(Precision precision, double alpha, double beta, Integrator in
   add_warnings(finding, simulation);
   const double rigid = is_double(precision) ? 1e-20 : 1e-10;
   if (alpha == 1 && beta == 0) {
-    demand(finding, "deformation energy", energy, 0, rigid);
+    require(finding, "deformation energy", energy, 0, rigid);
   } else {
-    demand(finding, "deformation energy", energy, 0, 1000);
+    require(finding, "deformation energy", energy, 0, 1000);
   }
   return finding;
 }
@@ -84,8 +84,8 @@ Finding resolution(Precision precision, int face_points, bool quick) {
   Simulation simulation(params);
   Finding finding = run_fine(simulation, face_points > 10 && quick ? 200 : 1500);
   const auto shapes = shapes_of(simulation);
-  demand(finding, "largest deformation energy", largest_energy(shapes), 0, 0.1);
-  demand(finding, "smallest volume", smallest_volume(shapes), 0.5, 1.1);
+  require(finding, "largest deformation energy", largest_energy(shapes), 0, 0.1);
+  require(finding, "smallest volume", smallest_volume(shapes), 0.5, 1.1);
   return finding;
 }
 
@@ -104,10 +104,10 @@ Finding large_points(Precision precision, bool) {
   params.point_radius = 0.2;
   Simulation simulation(params);
   Finding finding = run_fine(simulation, 1500);
-  demand(finding, "largest deformation energy", largest_energy(shapes_of(simulation)), 0, 0.01);
+  require(finding, "largest deformation energy", largest_energy(shapes_of(simulation)), 0, 0.01);
   const Overlap overlap = measure_overlap(simulation);
-  demand(finding, "share of points inside another body", overlap.inside, 0, 0.01);
-  demand(finding, "warnings", static_cast<double>(simulation.warnings().size()), 0, 0);
+  require(finding, "share of points inside another body", overlap.inside, 0, 0.01);
+  require(finding, "warnings", static_cast<double>(simulation.warnings().size()), 0, 0);
   return finding;
 }
 

@@ -1,9 +1,9 @@
-// Extreme scenes of how many pups there are, and how near to each other.
+// Extreme scenes of the number of pups and of their distance from each other.
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/stability/extreme/each.h"
-#include "app/report/stability/extreme/extreme.h"
+#include "app/report/stability/extreme/finding.h"
+#include "app/report/stability/extreme/runs.h"
 #include "pupflow/observer.h"
 #include "pupflow/overlap.h"
 
@@ -20,10 +20,10 @@ Finding pile(Precision precision, bool quick) {
   const auto shapes = shapes_of(simulation);
   double outside = 0;
   for (const Shape& shape : shapes) outside = std::max(outside, shape.centre.head<2>().norm());
-  demand(finding, "furthest centre from the axis", outside, 0, params.arena_radius);
-  demand(finding, "touching pairs a pup",
-         static_cast<double>(simulation.touching().size()) / params.pups, 0.5, 40);
-  demand(finding, "smallest volume", smallest_volume(shapes), 0.3, 1.1);
+  require(finding, "largest distance of a centre from the axis", outside, 0, params.arena_radius);
+  require(finding, "touching pairs a pup",
+          static_cast<double>(simulation.view().touching.size()) / params.pups, 0.5, 40);
+  require(finding, "smallest volume", smallest_volume(shapes), 0.3, 1.1);
   return finding;
 }
 
@@ -43,10 +43,10 @@ Finding narrow(Precision precision, bool) {
   Simulation simulation(params);
   Finding finding = run_fine(simulation, 1500);
   const auto shapes = shapes_of(simulation);
-  demand(finding, "largest deformation energy", largest_energy(shapes), 0, 0.01);
-  demand(finding, "share of points inside another body", measure_overlap(simulation).inside, 0.5,
-         1);
-  demand(finding, "warnings", static_cast<double>(simulation.warnings().size()), 0, 0);
+  require(finding, "largest deformation energy", largest_energy(shapes), 0, 0.01);
+  require(finding, "share of points inside another body", measure_overlap(simulation).inside, 0.5,
+          1);
+  require(finding, "warnings", static_cast<double>(simulation.warnings().size()), 0, 0);
   return finding;
 }
 
@@ -56,9 +56,10 @@ Finding giants(Precision precision, bool) {
   Simulation simulation(params);
   Finding finding = run_fine(simulation, 1500);
   const Overlap overlap = measure_overlap(simulation);
-  demand(finding, "nearest centre over 2 r_pup", overlap.nearest / (2 * params.pup_radius), 0, 0.1);
-  demand(finding, "share of points inside another body", overlap.inside, 0.5, 1);
-  demand(finding, "largest deformation energy", largest_energy(shapes_of(simulation)), 0, 0.01);
+  require(finding, "nearest centre over 2 r_pup", overlap.nearest / (2 * params.pup_radius), 0,
+          0.1);
+  require(finding, "share of points inside another body", overlap.inside, 0.5, 1);
+  require(finding, "largest deformation energy", largest_energy(shapes_of(simulation)), 0, 0.01);
   return finding;
 }
 
@@ -68,8 +69,8 @@ Finding column(Precision precision, bool quick) {
   params.face_points = 2;
   Simulation simulation(params);
   Finding finding = run_fine(simulation, quick ? 20 : 1000);
-  demand(finding, "touching pairs a pup",
-         static_cast<double>(simulation.touching().size()) / params.pups, 0, 10);
+  require(finding, "touching pairs a pup",
+          static_cast<double>(simulation.view().touching.size()) / params.pups, 0, 10);
   return finding;
 }
 
@@ -77,21 +78,21 @@ Finding coincident(Precision precision, bool) {
   Params params = base(precision);
   params.pups = 2;
   Simulation simulation(params);
-  place(simulation, 1, cloud_of(simulation, 0));
+  place(simulation, 1, of_pup(simulation.view().positions, 0));
   Finding finding = run_fine(simulation, 3000);
   const auto shapes = shapes_of(simulation);
-  demand(finding, "largest deformation energy", largest_energy(shapes), 0, 0.1);
+  require(finding, "largest deformation energy", largest_energy(shapes), 0, 0.1);
   return finding;
 }
 
-Finding nobody(Precision precision, bool) {
+Finding no_pup(Precision precision, bool) {
   Params params = base(precision);
   params.pups = 0;
   Simulation simulation(params);
   Observer observer(simulation);
   Finding finding = run_fine(simulation, 1500);
   const Observables& seen = observer.observe(simulation);
-  demand(finding, "groups", seen.groups, 0, 0);
+  require(finding, "groups", seen.groups, 0, 0);
   return finding;
 }
 
@@ -104,9 +105,9 @@ Finding alone(Precision precision, bool) {
       params.ambient_temperature + params.thermogenesis / params.air_conductance;
   const double expected = equilibrium + (params.initial_temperature - equilibrium) *
                                             std::exp(-params.air_conductance * simulation.time());
-  demand(finding, "difference from the closed form of T_b",
-         std::abs(simulation.body_temperature()[0] - expected), 0, 1e-12);
-  demand(finding, "exposed", simulation.exposed()[0], 1, 1);
+  require(finding, "difference from the closed form of T_b",
+          std::abs(simulation.view().tb[0] - expected), 0, 1e-12);
+  require(finding, "exposed", simulation.view().exposed[0], 1, 1);
   return finding;
 }
 
@@ -129,10 +130,10 @@ Finding quiet_litter(Precision precision, bool quick) {
     sideways = std::max(sideways, moved.head<2>().norm());
     up = std::max(up, std::abs(moved.z()));
   }
-  demand(finding, "largest deformation energy", largest_energy(after), 0, 0.01);
-  demand(finding, "smallest volume", smallest_volume(after), 0.9, 1.1);
-  demand(finding, "change of height", up, 0, 0.5);
-  demand(finding, "moved sideways", sideways, 0, 2 * params.arena_radius);
+  require(finding, "largest deformation energy", largest_energy(after), 0, 0.01);
+  require(finding, "smallest volume", smallest_volume(after), 0.9, 1.1);
+  require(finding, "change of height", up, 0, 0.5);
+  require(finding, "moved sideways", sideways, 0, 2 * params.arena_radius);
   return finding;
 }
 

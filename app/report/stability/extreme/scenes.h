@@ -1,4 +1,4 @@
-// Scenes far outside the ordinary, each with what should happen.
+// The table of extreme scenes: parameters far from the defaults, each with an expected result.
 #pragma once
 
 #include <span>
@@ -8,17 +8,17 @@
 
 namespace pupflow::report {
 
-/// What came of a scene.
+/// The result of a scene.
 struct Finding {
-  bool ok = false;       // what should happen happened
-  std::string happened;  // in one line, with the numbers that decided
+  bool ok = false;       // the expected result occurred
+  std::string happened;  // one line, with the numbers that were checked
 };
 
 /// One extreme scene.
 struct ExtremeScene {
   std::string_view name;                            // one word, for tests and tables
   std::string_view scene;                           // in a few words
-  std::string_view expected;                        // one sentence: what should happen
+  std::string_view expected;                        // one sentence: the expected result
   Finding (*run)(Precision precision, bool quick);  // quick: fewer steps, the same check
 };
 

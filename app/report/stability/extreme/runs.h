@@ -1,6 +1,6 @@
-// The extreme scenes one by one. What should happen in each is said in the table
-// (stability_scenes.cpp). All of them take the precision and whether to be quick: fewer steps, the
-// same check.
+// The functions that run the extreme scenes. The table in scenes.cpp has the expected results. To
+// add a scene, write its function here and its row there. `quick` means fewer steps and the same
+// check.
 #pragma once
 
 #include "app/report/stability/extreme/scenes.h"
@@ -8,34 +8,34 @@
 
 namespace pupflow::report::extreme {
 
-// How many pups, and how near (extreme_crowds.cpp).
+// Number and density of pups (crowds.cpp).
 Finding pile(Precision precision, bool quick);
-/// Soft bodies, much too heavy.
+/// Soft bodies that are too heavy.
 Finding soft_pile(Precision precision, bool quick);
-/// 30 pups on a floor for five.
+/// 30 pups in an arena that has room for five.
 Finding narrow(Precision precision, bool quick);
 /// r_pup = 1.9 in an arena of 2.
 Finding giants(Precision precision, bool quick);
 Finding column(Precision precision, bool quick);
 Finding coincident(Precision precision, bool quick);
-Finding nobody(Precision precision, bool quick);
+Finding no_pup(Precision precision, bool quick);
 Finding alone(Precision precision, bool quick);
 Finding quiet_litter(Precision precision, bool quick);
 
-// Falls, steps and drive (extreme_motion.cpp).
+// Falls, steps and drive (motion.cpp).
 Finding drop(Precision precision, bool quick);
 Finding heavy(Precision precision, bool quick);
 /// g h^2 and alpha are the same as in the ordinary fall: the same positions, step by step.
 Finding heavy_scaled(Precision precision, bool quick);
 Finding tiny_step(Precision precision, bool quick);
-/// h = dt, above the ordinary one.
+/// h = dt, longer than the default.
 Finding longer_step(Precision precision, double dt, bool quick);
 Finding huge_step(Precision precision, bool quick);
 Finding wild_drive(Precision precision, bool quick);
 
-// Single bodies (extreme_bodies.cpp).
-/// The default litter with these. Explicit, it may end in a status that names the step, and with
-/// alpha above 0 it has to: diverged.
+// Single bodies (bodies.cpp).
+/// The default litter with these values. With the explicit integrator it may end in a status that
+/// names the step; with alpha > 0 it must, as diverged.
 Finding alpha_beta(Precision precision, double alpha, double beta, Integrator integrator,
                    bool quick);
 Finding flat(Precision precision, bool quick);
@@ -48,7 +48,7 @@ Finding resolution(Precision precision, int face_points, bool quick);
 Finding large_points(Precision precision, bool quick);
 Finding fat_points(Precision precision, bool quick);
 
-// Heat, sensors, a NaN (extreme_numbers.cpp).
+// Heat, sensors, a NaN (numbers.cpp).
 /// T_a = ta.
 Finding ambient(Precision precision, double ta, bool quick);
 Finding no_conductance(Precision precision, bool quick);

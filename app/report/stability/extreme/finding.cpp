@@ -1,4 +1,4 @@
-#include "app/report/stability/extreme/extreme.h"
+#include "app/report/stability/extreme/finding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,6 @@
 
 namespace pupflow::report::extreme {
 
-using Eigen::Vector3d;
-
 Params base(Precision precision) {
   Params params;
   params.precision = precision;
@@ -16,10 +14,8 @@ Params base(Precision precision) {
 }
 
 Params weightless(Precision precision) {
-  Params params = base(precision);
-  params.pups = 1;
-  params.gravity = params.drive = 0;
-  params.arena_radius = 1000;
+  Params params = weightless_pup();
+  params.precision = precision;
   return params;
 }
 
@@ -27,16 +23,12 @@ bool is_double(Precision precision) {
   return precision == Precision::double_;
 }
 
-bool finite(const Simulation& simulation) {
-  std::vector<double> xyz(3 * static_cast<std::size_t>(simulation.pups()) * simulation.points());
+bool finite(const LitterView& litter) {
   const auto all = [](const auto& numbers) {
     return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
   };
-  simulation.copy_positions(std::span<double>(xyz));
-  if (!all(xyz)) return false;
-  simulation.copy_velocities(xyz);
-  return all(xyz) && all(simulation.body_temperature()) && all(simulation.heading()) &&
-         all(simulation.exposed());
+  return all(to_numbers(of_all(litter.positions))) && all(to_numbers(of_all(litter.velocities))) &&
+         all(litter.tb) && all(litter.heading) && all(litter.exposed);
 }
 
 double largest_energy(const std::vector<Shape>& shapes) {
@@ -65,7 +57,7 @@ Finding run_fine(Simulation& simulation, std::int64_t steps) {
 
 void add_warnings(Finding& finding, const Simulation& simulation) {
   const std::string text = warnings_text(simulation.warnings());
-  if (!text.empty()) finding.happened += "; warned: " + text;
+  if (!text.empty()) finding.happened += "; warning: " + text;
 }
 
 bool warned(const Simulation& simulation, Warning::Kind kind) {
@@ -74,7 +66,7 @@ bool warned(const Simulation& simulation, Warning::Kind kind) {
                      [kind](const Warning& warning) { return warning.kind == kind; });
 }
 
-void demand(Finding& finding, const std::string& what, double value, double low, double high) {
+void require(Finding& finding, const std::string& what, double value, double low, double high) {
   finding.ok = finding.ok && value >= low && value <= high;
   finding.happened += "; " + what + " " + rounded(value);
 }
@@ -87,27 +79,6 @@ Finding run_until(const Params& params, std::int64_t steps, Status::Kind kind, S
       status.ok() ? "fine after " + std::to_string(steps) + " steps" : status.message()};
   add_warnings(finding, simulation);
   return finding;
-}
-
-void place(Simulation& simulation, int pup, const Cloud3& cloud, const Vector3d& velocity) {
-  std::vector<double> x, v;
-  for (const Vector3d& point : cloud) {
-    x.insert(x.end(), {point.x(), point.y(), point.z()});
-    v.insert(v.end(), {velocity.x(), velocity.y(), velocity.z()});
-  }
-  simulation.set_cloud(pup, x, v);
-}
-
-Cloud3 cloud_of(const Simulation& simulation, int pup) {
-  const auto points = static_cast<std::size_t>(simulation.points());
-  std::vector<double> xyz(3 * points * static_cast<std::size_t>(simulation.pups()));
-  simulation.copy_positions(std::span<double>(xyz));
-  Cloud3 cloud(points);
-  for (std::size_t i = 0; i < points; ++i) {
-    const double* p = xyz.data() + 3 * (points * static_cast<std::size_t>(pup) + i);
-    cloud[i] = {p[0], p[1], p[2]};
-  }
-  return cloud;
 }
 
 Finding both(const std::string& one_name, const Finding& one, const std::string& other_name,

@@ -183,6 +183,7 @@ Plan whole_stage(Stage stage, const Params& params, PartSet observed) {
   Plan plan;
   plan.add(stage);
   add_parts(stage, params, observed, plan);
+  if (stage == Stage::steering) plan.add(Part::direction);  // the reason to need the stage
   return plan;
 }
 

@@ -65,7 +65,7 @@ Table read_table(const std::string& path) {
       continue;
     }
     if (cells.size() != table.names.size())
-      refuse(path + ": a row has not as many cells as there are columns: " + line);
+      refuse(path + ": a row has another number of cells than the header: " + line);
     table.rows.push_back(std::move(cells));
   }
   table.column("runs");
@@ -183,14 +183,14 @@ std::string comparison_text(const Comparison& comparison) {
                 comparison.differences.size() - static_cast<std::size_t>(comparison.unknown));
   text += cell;
   if (comparison.unknown > 0) {
-    std::snprintf(cell, sizeof cell, ", %d left out for want of runs", comparison.unknown);
+    std::snprintf(cell, sizeof cell, ", %d unknown: fewer than two runs", comparison.unknown);
     text += cell;
   }
   std::snprintf(cell, sizeof cell, ", rms %.2f, mean_tb within %.4f and %.1f standard errors\n",
                 comparison.rms, comparison.largest_tb, comparison.largest_tb_errors);
   text += cell;
   for (const std::string& name : comparison.left_out)
-    text += name + " was left out: it is not in both files\n";
+    text += name + " was not compared: it is not in both files\n";
   return text;
 }
 

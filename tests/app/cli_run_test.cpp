@@ -140,7 +140,7 @@ TEST_F(CliRun, PrintsMeansThatReadBackToTheSameValue) {
   while (simulation.steps_done() < params.steps && simulation.step().ok()) {
     means.add(simulation, observer.observe(simulation));
   }
-  std::istringstream after(outcome.out.substr(outcome.out.find("mean body temperature") + 21));
+  std::istringstream after(outcome.out.substr(outcome.out.find("body temperature T_b") + 20));
   double printed = 0;
   after >> printed;
   EXPECT_EQ(printed, means.means().mean_tb);

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/error_scenes.h"
-#include "app/report/rotations.h"
+#include "app/report/error/rotations.h"
+#include "app/report/error/scenes/scenes.h"
 #include "engine/rotation.h"
 #include "pupflow/simulation.h"
 
 namespace pupflow::report {
 namespace {
 
-SceneResult quick(const Scene& scene) {
+SceneResult quick(const ErrorScene& scene) {
   Options options;
   options.quick = true;
   options.quiet = true;

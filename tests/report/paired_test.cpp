@@ -1,5 +1,5 @@
 // Runs held against each other seed by seed.
-#include "app/report/paired.h"
+#include "app/report/error/paired.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

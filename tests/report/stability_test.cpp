@@ -6,12 +6,12 @@
 #include <set>
 
 #include "app/report/share_out.h"
-#include "app/report/stability_cells.h"
-#include "app/report/stability_class.h"
-#include "app/report/stability_heat.h"
-#include "app/report/stability_maps.h"
-#include "app/report/stability_measure.h"
-#include "app/report/stability_scenes.h"
+#include "app/report/stability/cells.h"
+#include "app/report/stability/class.h"
+#include "app/report/stability/extreme/scenes.h"
+#include "app/report/stability/heat.h"
+#include "app/report/stability/maps.h"
+#include "app/report/stability/measure.h"
 #include "pupflow/simulation.h"
 #include "tests/support/litter.h"
 

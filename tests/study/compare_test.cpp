@@ -71,7 +71,7 @@ TEST_F(Compared, PointsWithoutSpreadAreCountedApart) {
   EXPECT_EQ(comparison.unknown, 5);
   EXPECT_EQ(comparison.rms, 0);
   EXPECT_THAT(comparison_text(comparison),
-              HasSubstr("0 of 5 points beyond 3, 5 left out for want of runs"));
+              HasSubstr("0 of 5 points beyond 3, 5 unknown: fewer than two runs"));
 }
 
 TEST_F(Compared, FilesThatDoNotFitTogetherAreRefused) {

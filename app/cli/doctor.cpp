@@ -10,6 +10,7 @@
 #include "app/io/failure.h"
 #include "app/io/machine.h"
 #include "app/io/table.h"
+#include "pupflow/version.h"
 
 namespace pupflow::cli {
 namespace {
@@ -27,7 +28,7 @@ bool is_module_there(const std::string& file) {
 }
 
 std::vector<io::Row> build_rows() {
-  return {{"version", PUPFLOW_VERSION},
+  return {{"version", std::string(version_text())},
           {"compiler", io::compiler_words()},
           {"processor", io::cpu_name()},
           {"kernels", io::kernel_words()},

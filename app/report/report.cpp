@@ -39,7 +39,7 @@ io::TextEntries made_by(const Options& options, const Params& params) {
 std::string machine_text(const Options& options) {
   return "Made by `" + options.command + "`.\n\n" +
          io::markdown_table({{"", ""},
-                             {"version", "pupflow " + io::version()},
+                             {"version", io::program_version()},
                              {"compiler", io::compiler_words()},
                              {"processor", io::cpu_name()},
                              {"cores", std::to_string(std::thread::hardware_concurrency())},

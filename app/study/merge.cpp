@@ -11,9 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& message) {
-  throw io::Failure(io::ExitCode::bad_input, message);
-}
+using io::refuse;
 
 /// The design and the rows of a shard's folder.
 struct LoadedShard {

@@ -28,7 +28,7 @@ class StageListener {
 class Simulation {
  public:
   /// The litter of `params` at t = 0. Throws InvalidParams when `check(params)` finds a problem.
-  /// Results do not depend on the instruction set, which must be a supported one (kernels.h).
+  /// Results do not depend on `set`, which must be one of supported_instruction_sets().
   explicit Simulation(const Params& params,
                       InstructionSet set = supported_instruction_sets().back());
 
@@ -80,7 +80,7 @@ class Simulation {
   /// The status of the last step.
   const Status& status() const;
 
-  /// The impossible states of all steps so far, the first of each kind, by step (warning.h). They
+  /// The impossible states of all steps so far, the first of each kind, by step. They
   /// change nothing. A copy keeps them; a simulation made from a snapshot begins without any.
   std::span<const Warning> warnings() const;
 
@@ -119,7 +119,7 @@ class Simulation {
   /// The whole state as plain numbers.
   Snapshot snapshot() const;
 
-  /// Rotations since the start that came from flat, mirrored or collapsed clouds (rotation.h). With
+  /// Rotations since the start that came from flat, mirrored or collapsed clouds. With
   /// beta = 1 no rotation is worked out, so none is counted.
   std::int64_t rotation_fallbacks() const;
 

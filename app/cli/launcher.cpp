@@ -83,7 +83,7 @@ bool is_silent_rank(int argc, char** argv) {
 }
 
 mpi::Interface& load_mpi(const mpi::RankInfo& self) {
-  const Module module = load_module("libpupflow_mpi.so", mpi::kEntry);
+  const Module module = load_module(kMpiModule, mpi::kEntry);
   if (!module.entry) {
     throw io::Failure(
         io::ExitCode::bad_input,

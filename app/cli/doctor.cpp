@@ -37,7 +37,7 @@ std::vector<io::Row> build_rows() {
 
 /// The rows for one kind of context: what was chosen and every attempt.
 void add_context(std::vector<io::Row>& rows, const std::string& what,
-                 const pictures::ContextReport& report) {
+                 const context::ContextReport& report) {
   rows.push_back({what, report.works ? "works: " + report.chosen : "does not work"});
   if (report.works) {
     rows.push_back({"", "renderer " + report.renderer});
@@ -52,7 +52,7 @@ void work(const Options& options) {
   std::vector<std::string> advice;
   const bool plots = io::is_program("gnuplot");
   rows.push_back({"figures", plots ? "gnuplot found" : "no gnuplot"});
-  const bool ranks = is_module_there("libpupflow_mpi.so");
+  const bool ranks = is_module_there(kMpiModule);
   rows.push_back({"mpi", ranks ? "module found: mpirun and srun spread sweeps" : "not built"});
   if (!ranks) {
     advice.emplace_back(
@@ -60,10 +60,10 @@ void work(const Options& options) {
   }
   if (!plots) advice.emplace_back("the figures of sweeps need gnuplot: apt install gnuplot-nox");
   try {
-    pictures::Graphics& graphics = load_graphics();
+    graphics::Graphics& graphics = load_graphics();
     rows.push_back({"graphics", "module loaded"});
-    const pictures::ContextReport headless = graphics.probe_headless();
-    const pictures::ContextReport window = graphics.probe_window();
+    const context::ContextReport headless = graphics.probe_headless();
+    const context::ContextReport window = graphics.probe_window();
     add_context(rows, "pictures", headless);
     add_context(rows, "window", window);
     if (!headless.works) {

@@ -18,7 +18,7 @@ struct Options {
   Common common;
   LookOptions look;
   std::string ta = "0.2,0.5,0.8";
-  int panel = 560;
+  int panel = pictures::Figure1Job{}.panel;
 };
 
 std::vector<double> panels(const std::string& text, const Params& params) {
@@ -68,9 +68,12 @@ Verb add_figure1(CLI::App& program) {
   add_common(*app, options->common, help);
   app->add_option("--ta", options->ta, "Ambient temperatures, a panel each (default 0.2,0.5,0.8)")
       ->option_text("TA,TA,...");
-  app->add_option("--panel", options->panel, "Edge of a panel in pixels, 120 to 4096 (default 560)")
+  app->add_option("--panel", options->panel,
+                  "Edge of a panel in pixels, " + std::to_string(pictures::kSmallestPanel) +
+                      " to " + std::to_string(pictures::kLargestPanel) + " (default " +
+                      std::to_string(options->panel) + ")")
       ->option_text("N")
-      ->check(CLI::Range(120, 4096));
+      ->check(CLI::Range(pictures::kSmallestPanel, pictures::kLargestPanel));
   add_look(*app, options->look);
   return {app, [options] { work(*options); }};
 }

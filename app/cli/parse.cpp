@@ -6,6 +6,7 @@
 
 #include "app/io/failure.h"
 #include "app/io/text.h"
+#include "app/pictures/look.h"
 
 namespace pupflow::cli {
 namespace {
@@ -17,14 +18,21 @@ namespace {
 }  // namespace
 
 std::pair<int, int> parse_size(const std::string& option, const std::string& text) {
-  constexpr int kSmallest = 16, kLargest = 16384;
   const auto parts = io::split(text, 'x');
   if (parts.size() == 2) {
     const auto width = io::read_number<int>(parts[0]), height = io::read_number<int>(parts[1]);
-    const auto fits = [](const auto& n) { return n && *n >= kSmallest && *n <= kLargest; };
+    const auto fits = [](const auto& n) {
+      return n && *n >= pictures::kSmallestSide && *n <= pictures::kLargestSide;
+    };
     if (fits(width) && fits(height)) return {*width, *height};
   }
-  fail(option, text, "WIDTHxHEIGHT in pixels, each 16 ... 16384, e.g. 1280x960");
+  fail(option, text,
+       "WIDTHxHEIGHT in pixels, each " + std::to_string(pictures::kSmallestSide) + " ... " +
+           std::to_string(pictures::kLargestSide) + ", e.g. 1280x960");
+}
+
+std::string size_text(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
 }
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text) {

@@ -13,9 +13,10 @@
 #include "app/io/progress.h"
 #include "app/io/provenance.h"
 #include "app/io/text.h"
-#include "app/pictures/studio.h"
+#include "app/pictures/picture.h"
 #include "app/view/canvas.h"
 #include "app/view/color_bar.h"
+#include "app/view/framing.h"
 #include "app/view/text.h"
 
 namespace pupflow::pictures {
@@ -30,7 +31,7 @@ std::vector<Simulation> litters(const Figure1Job& job) {
   for (const double ta : job.ta) {
     Params params = job.params;
     params.ambient_temperature = ta;
-    list.push_back(unobserved_litter(params));
+    list.push_back(observed_litter(params, *job.look.scale.field));
   }
   return list;
 }
@@ -103,8 +104,9 @@ struct Layout {
   int panel, margin, title, columns, rows;
   double text;
   view::ColorBarStyle bar_style;
+  view::ColorBarMargins bar_margins;
 
-  Layout(int edge, int panels) : panel(edge) {
+  Layout(int edge, int panels, const view::ColorScale& scale) : panel(edge) {
     constexpr int kPanelsAcross = 4;
     rows = (panels + kPanelsAcross - 1) / kPanelsAcross;
     columns = (panels + rows - 1) / rows;
@@ -113,6 +115,7 @@ struct Layout {
     title = static_cast<int>(std::lround(1.7 * text));
     bar_style.text_size = 0.72 * text;
     bar_style.ink = kInk;
+    bar_margins = view::color_bar_margins(scale, bar_style);
   }
 
   int cell_width() const { return panel + margin; }
@@ -124,54 +127,74 @@ struct Layout {
   int bar_width() const { return static_cast<int>(std::lround(text)); }
   view::Box bar_box() const {
     const int inset = panel / 12;
-    return {margin + columns * cell_width() + view::color_bar_margins(bar_style).left,
-            margin + title + inset, bar_width(), (rows - 1) * cell_height() + panel - 2 * inset};
+    return {margin + columns * cell_width() + bar_margins.left, margin + title + inset, bar_width(),
+            (rows - 1) * cell_height() + panel - 2 * inset};
   }
   int width() const {
     const view::Box bar = bar_box();
-    return bar.x + bar.width + view::color_bar_margins(bar_style).right + margin;
+    return bar.x + bar.width + bar_margins.right + margin;
   }
   int height() const { return margin + rows * cell_height(); }
 };
 
-io::Image compose(const Figure1Job& job, const std::vector<Simulation>& litters, Studio& studio) {
-  const Layout layout(job.panel, static_cast<int>(litters.size()));
+/// The look's scale, fitted to all litters.
+view::ColorScale common_scale(const Look& look, const std::vector<Simulation>& litters) {
+  std::vector<double> all;
+  for (const Simulation& litter : litters) {
+    const std::vector<double> values = look.scale.field->values(litter);
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  return look.scale.fitted(all);
+}
+
+io::Image compose(const Figure1Job& job, const std::vector<Simulation>& litters,
+                  const view::ColorScale& scale, gl::Renderer& renderer) {
+  const Layout layout(job.panel, static_cast<int>(litters.size()), job.look.scale);
   io::Image figure(layout.width(), layout.height());
   view::fill(figure, {0, 0, figure.width, figure.height}, kPaper);
   view::TextPainter text;
+  view::DrawList list;
   for (std::size_t i = 0; i < litters.size(); ++i) {
     const view::Box box = layout.panel_box(static_cast<int>(i));
-    const view::Camera camera = framed_camera("top", litters[i].params(), 1);
-    view::blit(figure, studio.shoot(litters[i], camera, box.width, box.height), box.x, box.y);
+    const view::Camera camera = view::framed(view::Camera::parse("top"), litters[i].params(), 1);
+    list.update(litters[i], scale, camera);
+    renderer.upload(list);
+    view::blit(figure, renderer.picture(camera, box.width, box.height, job.look.supersample), box.x,
+               box.y);
     text.draw(figure, box.x + box.width / 2.0, box.y - 0.45 * layout.text,
               view::symbol("T", "a") +
                   (" = " + view::tick_label(litters[i].params().ambient_temperature)),
               layout.text, kInk, view::Align::centre);
   }
-  view::draw_color_bar(figure, text, layout.bar_box(), studio.scale(),
-                       job.params.preferred_temperature, layout.bar_style);
+  view::draw_color_bar(figure, text,
+                       view::lay_out_color_bar(layout.bar_box(), layout.bar_margins, scale,
+                                               job.params.preferred_temperature, layout.bar_style),
+                       kInk);
   return figure;
 }
 
 }  // namespace
 
 void figure1(const Figure1Job& job) {
-  constexpr int kSmallest = 120, kLargest = 4096;
-  if (job.panel < kSmallest || job.panel > kLargest) {
-    throw io::Failure(io::ExitCode::bad_input, "a panel's edge must be 120 ... 4096 pixels, not " +
+  check_samples(job.look.supersample);
+  if (job.panel < kSmallestPanel || job.panel > kLargestPanel) {
+    throw io::Failure(io::ExitCode::bad_input, "a panel's edge must be " +
+                                                   std::to_string(kSmallestPanel) + " ... " +
+                                                   std::to_string(kLargestPanel) + " pixels, not " +
                                                    std::to_string(job.panel));
   }
   io::refuse_existing(job.output.path, job.output.force);
   std::vector<Simulation> list = litters(job);
-  Studio studio(job.look);
+  const Headless headless(job.look);
   Runs(list, job).run();
 
   std::string panels;
   for (const double ta : job.ta) panels += (panels.empty() ? "" : ",") + io::number_text(ta);
-  io::TextEntries extra = look_entries(job.look);
+  const view::ColorScale scale = common_scale(job.look, list);
+  io::TextEntries extra = look_entries(scale, job.look.supersample);
   extra.insert(extra.begin(), {{"picture", "figure1"}, {"panels_ta", panels}});
-  io::write_png(job.output.path, compose(job, list, studio), io::provenance(job.params, extra),
-                job.output.force);
+  io::write_png(job.output.path, compose(job, list, scale, *headless.renderer),
+                io::provenance(job.params, extra), job.output.force);
 }
 
 }  // namespace pupflow::pictures

@@ -77,7 +77,7 @@ TEST_F(CliGraphics, RenderHandsOverItsJob) {
   EXPECT_EQ(plain.code, 0) << plain.err;
   EXPECT_EQ(plain.out,
             "render seed=1 at 40\n1280x960 camera=orbit:30,35 bar=1\n"
-            "viridis 0..1 n=2 verbose=0 shaders='' out=frames/%05d.png force=0 quiet=0\n");
+            "tb by viridis 0..1 n=2 verbose=0 shaders='' out=frames/%05d.png force=0 quiet=0\n");
   const Outcome full = pupflow(
       {"render",  "cold",          "--seed", "9",         "--at",         "30,0,30,2", "--size",
        "64x48",   "--camera",      "top",    "--no-bar",  "--colormap",   "cividis",   "--scale",
@@ -85,7 +85,7 @@ TEST_F(CliGraphics, RenderHandsOverItsJob) {
        "a%d.png", "--force",       "--quiet"});
   EXPECT_EQ(full.out,
             "render seed=9 at 0 2 30\n64x48 camera=top bar=0\n"
-            "cividis -1..0.5 n=3 verbose=1 shaders='.' out=a%d.png force=1 quiet=1\n");
+            "tb by cividis -1..0.5 n=3 verbose=1 shaders='.' out=a%d.png force=1 quiet=1\n");
   EXPECT_THAT(pupflow({"render", "--every", "10", "--steps", "35"}).out,
               HasSubstr("at 10 20 30\n"));
 }

@@ -119,7 +119,7 @@ TEST_P(SavingsOf, LeftOutPartsCostNothingAndChangeNoBit) {
                                                            : Agreement::whole_state;
   };
   std::vector<std::string> left_out;
-  for (const Part& part : savings.parts) {
+  for (const PartCost& part : savings.parts) {
     SCOPED_TRACE(part.name);
     if (part.needed) {
       EXPECT_EQ(part.agreement, Agreement::needed);

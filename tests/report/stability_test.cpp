@@ -227,8 +227,8 @@ TEST(StabilityMaps, HaveTheDefaultAmongTheirCellsAndTheirCellsAreSoundOrRefused)
     for (const StabilityMap& map : stability_maps(quick)) {
       names.insert(map.name);
       ASSERT_EQ(map.methods.size(), 2u);
-      EXPECT_EQ(map.seeds, map.judge == try_litter ? 3 : 1) << map.name;
-      EXPECT_TRUE(map.judge != try_litter || map.base.pups == 12) << map.name;
+      EXPECT_EQ(map.seeds, map.classify == try_litter ? 3 : 1) << map.name;
+      EXPECT_TRUE(map.classify != try_litter || map.base.pups == 12) << map.name;
       for (const MapAxis* axis : {&map.x, &map.y}) {
         EXPECT_TRUE(std::is_sorted(axis->values.begin(), axis->values.end())) << axis->name;
       }

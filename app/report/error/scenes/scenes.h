@@ -14,7 +14,7 @@ ErrorScene cooling_scene(bool quick);   // one pup cools, slowly and fast
 ErrorScene steering_scene(bool quick);  // one pup passes a fixed warm neighbour
 
 /// All of them, in the order of the report.
-inline constexpr ErrorScene (*kErrorScenes[])(bool quick) = {fall_scene,  spin_scene,    squeeze_scene,
-                                                      press_scene, cooling_scene, steering_scene};
+inline constexpr ErrorScene (*kErrorScenes[])(bool quick) = {
+    fall_scene, spin_scene, squeeze_scene, press_scene, cooling_scene, steering_scene};
 
 }  // namespace pupflow::report

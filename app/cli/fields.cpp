@@ -57,19 +57,19 @@ std::vector<std::string_view> recorded_for(const Field& field) {
   return names;
 }
 
-/// An end of a range; angles as multiples of pi.
+/// An end of a range; angles as parts of pi.
 std::string limit_text(const Field& field, double value) {
   if (std::isnan(value)) return "data";
-  if (field.unit.starts_with("rad")) {
-    const std::string sign = value < 0 ? "−" : "";
-    if (std::abs(value) == std::numbers::pi) return sign + "π";
-    if (std::abs(value) == std::numbers::pi / 2) return sign + "π/2";
-  }
-  return io::number_text(value);
+  const bool angle = field.unit.starts_with("rad");
+  const double size = std::abs(value);
+  const std::string text = angle && size == std::numbers::pi       ? "π"
+                           : angle && size == std::numbers::pi / 2 ? "π/2"
+                                                                   : io::number_text(size);
+  return (value < 0 ? "−" : "") + text;
 }
 
 std::string range_text(const Field& field) {
-  return limit_text(field, field.low) + " ... " + limit_text(field, field.high);
+  return limit_text(field, field.low) + " … " + limit_text(field, field.high);
 }
 
 /// The kind, with what the numbers of a categorical field stand for.

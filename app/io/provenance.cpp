@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <span>
+#include <stdexcept>
+#include <string_view>
 
 #include "app/io/checkpoint.h"
 #include "app/io/csv.h"
@@ -43,6 +46,9 @@ std::string program_version() {
 }
 
 TextEntries provenance(const Params& params, const TextEntries& extra) {
+  if (!extra.empty() && !is_one_of(kBehind, extra.front().first)) {
+    throw std::logic_error("'" + extra.front().first + "' would be read as a parameter");
+  }
   // "Software" is the keyword that the PNG standard has for it.
   TextEntries entries{{"Software", program_version()}};
   for (const Parameter& parameter : parameters()) {

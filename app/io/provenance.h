@@ -14,7 +14,8 @@ std::string program_version();
 
 /// Program version, then every parameter (the seed among them) by name; values read back to the
 /// same parameters. `extra` entries (e.g. the step of a picture) follow; the first of them must be
-/// called picture, command or manifest, which ends the parameters for who reads them.
+/// called picture, command or manifest, which ends the parameters for who reads them. Throws
+/// std::logic_error otherwise.
 TextEntries provenance(const Params& params, const TextEntries& extra = {});
 
 /// The parameters in such entries. A parameter that is missing takes its value by take_as_before.

@@ -125,7 +125,7 @@ TEST_F(Cli, FieldsListsEveryFieldInEachFormat) {
     }
   }
   EXPECT_THAT(pupflow({"fields"}).out,
-              testing::ContainsRegex("heading +pup +θ +rad +−π ... π +angle"));
+              testing::ContainsRegex("heading +pup +θ +rad +−π … π +angle"));
   EXPECT_THAT(refused({"fields", "--format", "xml"}), HasSubstr("markdown"));
 }
 

@@ -95,6 +95,10 @@ TEST(Provenance, AParameterOfANewerVersionIsRefusedByName) {
   EXPECT_EQ(params_from(entries, "new.png"), Params{});
 }
 
+TEST(Provenance, NothingElseIsWrittenWhereParametersStand) {
+  EXPECT_THROW(provenance(Params{}, {{"step", "12"}}), std::logic_error);
+}
+
 TEST(Provenance, RefusesWhatIsNotOursOrWrong) {
   TextEntries entries = provenance(Params{});
   std::erase_if(entries, [](const auto& e) { return e.first == "Software"; });

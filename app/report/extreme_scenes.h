@@ -3,7 +3,7 @@
 // same check.
 #pragma once
 
-#include "app/report/stability_scenes.h"
+#include "app/report/finding.h"
 #include "pupflow/parameters.h"
 
 namespace pupflow::report::extreme {

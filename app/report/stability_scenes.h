@@ -2,17 +2,12 @@
 #pragma once
 
 #include <span>
-#include <string>
+#include <string_view>
 
+#include "app/report/finding.h"
 #include "pupflow/parameters.h"
 
 namespace pupflow::report {
-
-/// What came of a scene.
-struct Finding {
-  bool ok = false;       // what should happen happened
-  std::string happened;  // in one line, with the numbers that decided
-};
 
 /// One extreme scene.
 struct ExtremeScene {

@@ -6,7 +6,7 @@
 #include "app/context/context.h"
 #include "app/pictures/figure1.h"
 #include "app/pictures/render.h"
-#include "app/window/live.h"
+#include "app/window/live_job.h"
 
 namespace pupflow::graphics {
 

@@ -2,6 +2,7 @@
 #include "app/context/glfw_window.h"
 #include "app/context/headless.h"
 #include "app/graphics/graphics.h"
+#include "app/window/live.h"
 
 namespace pupflow::graphics {
 

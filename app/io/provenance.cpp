@@ -6,10 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "app/io/checkpoint.h"
-#include "app/io/csv.h"
 #include "app/io/failure.h"
-#include "app/io/read_file.h"
 #include "app/io/text.h"
 #include "pupflow/version.h"
 
@@ -97,13 +94,6 @@ void take_as_before(const std::vector<const Parameter*>& missing, const std::str
   });
   std::fprintf(stderr, "pupflow: note: %s was written by an older version; taking %s\n",
                where.c_str(), taken.c_str());
-}
-
-Params params_of_file(const std::string& path) {
-  const std::string beginning = read_beginning(path, 8);
-  if (beginning == "\x89PNG\r\n\x1a\n") return params_from(read_png_text(path), path);
-  if (beginning == "\x89HDF\r\n\x1a\n") return params_from(read_hdf5_text(path), path);
-  return params_from(read_csv_header(path), path);
 }
 
 }  // namespace pupflow::io

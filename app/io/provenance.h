@@ -29,8 +29,4 @@ Params params_from(const TextEntries& entries, const std::string& where);
 void take_as_before(const std::vector<const Parameter*>& missing, const std::string& where,
                     Params& params);
 
-/// The parameters that made `path`, a PNG, CSV or HDF5 file written by this program. Throws
-/// Failure.
-Params params_of_file(const std::string& path);
-
 }  // namespace pupflow::io

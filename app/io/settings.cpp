@@ -4,7 +4,7 @@
 
 #include "app/io/failure.h"
 #include "app/io/nearest.h"
-#include "app/io/provenance.h"
+#include "app/io/params_of_file.h"
 #include "app/io/scene_file.h"
 #include "app/io/text.h"
 

@@ -180,9 +180,15 @@ ColorBar lay_out_color_bar(const Box& bar, const ColorBarMargins& margins, const
     add_swatch(layout, {bar.x, bar.y + bar.height + side, bar.width, side}, kUnknownColor, kUnknown,
                size);
   }
-  layout.labels.push_back({bar.x + bar.width + margins.right - 0.4 * kTitle * size,
-                           bar.y + bar.height / 2.0, title_of(*scale.field), kTitle * size,
-                           Align::centre, true});
+  // The title: over the swatches, or along the bar.
+  if (scale.categorical()) {
+    layout.labels.push_back(
+        {static_cast<double>(bar.x), bar.y - 0.8 * size, title_of(*scale.field), size});
+  } else {
+    layout.labels.push_back({bar.x + bar.width + margins.right - 0.4 * kTitle * size,
+                             bar.y + bar.height / 2.0, title_of(*scale.field), kTitle * size,
+                             Align::centre, true});
+  }
   return layout;
 }
 

@@ -57,7 +57,8 @@ struct ColorBar {
   std::vector<Label> labels;
 };
 
-/// The legend of a fitted scale in `bar`: ticks and labels to its right, the title along it. Where
+/// The legend of a fitted scale in `bar`: ticks and labels to its right, the title along it,
+/// or over the swatches. Where
 /// the field is a temperature, the preferred temperature `tp` is marked if it lies on the scale.
 /// Values that are not known have a swatch below. `margins` are those of the scale before it was
 /// fitted.

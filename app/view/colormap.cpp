@@ -103,13 +103,13 @@ Colormap find_colormap(std::string_view name) {
                                                  kJet,     bluered,  phase};
   const auto found = std::ranges::find(kNames, name);
   if (found != kNames.end()) return maps[static_cast<std::size_t>(found - kNames.begin())];
-  std::string names;
-  for (const std::string_view known : kNames) {
-    names += (names.empty() ? "" : ", ") + std::string(known);
+  std::string hint = io::did_you_mean(name, kNames);
+  if (hint.empty()) {
+    for (const std::string_view known : kNames) {
+      hint += (hint.empty() ? "; there are " : ", ") + std::string(known);
+    }
   }
-  throw io::Failure(io::ExitCode::bad_input, "unknown color map " + io::quoted(name) +
-                                                 io::did_you_mean(name, kNames) + "; there are " +
-                                                 names);
+  throw io::Failure(io::ExitCode::bad_input, "unknown color map " + io::quoted(name) + hint);
 }
 
 Colormap category_colors() {

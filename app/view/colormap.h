@@ -1,18 +1,12 @@
 // Color maps: colors from the low end of a scale to its high end.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string_view>
 
+#include "app/view/rgb.h"
+
 namespace pupflow::view {
-
-struct Rgb {
-  std::uint8_t r = 0, g = 0, b = 0;
-  friend bool operator==(const Rgb&, const Rgb&) = default;
-};
-
-constexpr int kColormapSize = 256;
 
 /// A color map: sRGB colors from low to high.
 using Colormap = std::span<const Rgb, kColormapSize>;

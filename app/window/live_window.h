@@ -8,7 +8,7 @@
 #include "app/window/arena_view.h"
 #include "app/window/controls.h"
 #include "app/window/gui.h"
-#include "app/window/live.h"
+#include "app/window/live_job.h"
 #include "app/window/panels.h"
 #include "app/window/redraw_schedule.h"
 #include "app/window/runner.h"

@@ -90,6 +90,38 @@ TEST_F(CliGraphics, RenderHandsOverItsJob) {
               HasSubstr("at 10 20 30\n"));
 }
 
+TEST_F(CliGraphics, AnyFieldIsShownInColorsByItsOwnScale) {
+  give_module();
+  const auto look = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "--steps", "1"});
+    const std::string out = pupflow(options).out;
+    const std::string last = out.substr(out.find('\n', out.find('\n') + 1) + 1);
+    return last.substr(0, last.find(" n="));
+  };
+  EXPECT_EQ(look({"--color-by", "exposed"}), "exposed by viridis 0..1");
+  EXPECT_EQ(look({"--color-by", "strain", "--scale", "0,0.1"}), "strain by viridis 0..0.1");
+  EXPECT_EQ(look({"--color-by", "deformation"}), "deformation by viridis 0..nan");
+  EXPECT_EQ(look({"--color-by", "turn"}), "turn by bluered -1.5708..1.5708");
+  EXPECT_EQ(look({"--color-by", "heading"}), "heading by phase -3.14159..3.14159");
+  EXPECT_EQ(look({"--color-by", "side"}), "side by  0..1");
+  EXPECT_THAT(pupflow({"figure1", "--color-by", "group"}).out, HasSubstr("group by "));
+}
+
+TEST_F(CliGraphics, ColorByRefusesWhatCannotBe) {
+  for (const char* verb : {"render", "figure1", "live"}) {
+    EXPECT_EQ(refused({verb, "--color-by", "groop"}),
+              "pupflow: --color-by: unknown field 'groop'; did you mean 'group'?\n");
+  }
+  EXPECT_THAT(refused({"render", "--color-by", "warmth"}), HasSubstr("one of tb, "));
+  EXPECT_THAT(refused({"render", "--color-by", "mean_tb"}), HasSubstr("unknown field"));
+  EXPECT_EQ(refused({"render", "--color-by", "group", "--scale", "0,1"}),
+            "pupflow: --scale 0,1: group is categorical: it has no scale\n");
+  EXPECT_THAT(refused({"render", "--color-by", "heading", "--scale", "0,1"}), HasSubstr("angle"));
+  EXPECT_THAT(refused({"live", "--color-by", "side", "--colormap", "jet"}),
+              HasSubstr("categorical"));
+  refused({"render", "--color-by", ""});
+}
+
 TEST_F(CliGraphics, RenderRefusesBadOptions) {
   refused({"render", "--camera", "sideways"});
   refused({"render", "--colormap", "rainbow"});

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <thread>
 
+#include "app/io/params_of_file.h"
 #include "app/io/provenance.h"
 #include "app/io/scene_file.h"
 #include "program.h"

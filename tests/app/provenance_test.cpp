@@ -1,4 +1,5 @@
 #include "app/io/provenance.h"
+#include "app/io/params_of_file.h"
 
 #include <gmock/gmock.h>
 

@@ -136,8 +136,9 @@ std::string unit_of(const std::string& file) {
   return unit.starts_with(public_folder) ? "engine/" + unit.substr(public_folder.size()) : unit;
 }
 
+/// The folder of a file in app/, with all folders within it.
 std::string folder_of(const std::string& file) {
-  return file.substr(0, file.rfind('/'));
+  return file.substr(0, file.find('/', file.find('/') + 1));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // gives the same numbers.
 #include <gmock/gmock.h>
 
-#include "app/io/provenance.h"
+#include "app/io/params_of_file.h"
 #include "app/io/read_file.h"
 #include "app/study/compare.h"
 #include "app/study/results.h"

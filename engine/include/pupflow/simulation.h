@@ -14,14 +14,6 @@
 
 namespace pupflow {
 
-/// Told when a stage of a step begins and ends; the engine itself owns no clock.
-class StageListener {
- public:
-  virtual ~StageListener() = default;
-  virtual void stage_begins(Stage stage) = 0;
-  virtual void stage_ends(Stage stage) = 0;
-};
-
 /// One litter in its arena. A value: copying it copies the whole state (that is how to take and
 /// restore a snapshot), and a copy goes on bit for bit like the original. Not thread-safe; separate
 /// objects may be used from separate threads.

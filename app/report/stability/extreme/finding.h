@@ -1,13 +1,23 @@
-// What the extreme scenes share: their parameters, and runs with a finding of how they ended.
+// What the extreme scenes share: the finding that each returns, their parameters, and runs with a
+// finding of how they ended.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "app/report/stability/extreme/scenes.h"
 #include "app/report/stability/measure.h"
 #include "pupflow/simulation.h"
+
+namespace pupflow::report {
+
+/// The result of a scene.
+struct Finding {
+  bool ok = false;       // the expected result occurred
+  std::string happened;  // one line, with the numbers that were checked
+};
+
+}  // namespace pupflow::report
 
 namespace pupflow::report::extreme {
 

@@ -3,7 +3,7 @@
 // check.
 #pragma once
 
-#include "app/report/stability/extreme/scenes.h"
+#include "app/report/stability/extreme/finding.h"
 #include "pupflow/parameters.h"
 
 namespace pupflow::report::extreme {

@@ -2,17 +2,12 @@
 #pragma once
 
 #include <span>
-#include <string>
+#include <string_view>
 
+#include "app/report/stability/extreme/finding.h"
 #include "pupflow/parameters.h"
 
 namespace pupflow::report {
-
-/// The result of a scene.
-struct Finding {
-  bool ok = false;       // the expected result occurred
-  std::string happened;  // one line, with the numbers that were checked
-};
 
 /// One extreme scene.
 struct ExtremeScene {

@@ -86,18 +86,6 @@ class Simulation {
   LitterView view() const;
   operator LitterView() const { return view(); }  // NOLINT(google-explicit-constructor)
 
-  // TEMPORARY, until all callers use view().
-  void copy_positions(std::span<float> xyz) const { view().positions.copy_to(xyz); }
-  void copy_positions(std::span<double> xyz) const { view().positions.copy_to(xyz); }
-  void copy_velocities(std::span<double> xyz) const { view().velocities.copy_to(xyz); }
-  Eigen::Vector3d centre(int pup) const { return view().positions.mean(pup); }
-  std::span<const double> body_temperature() const { return view().tb; }
-  std::span<const double> heading() const { return view().heading; }
-  std::span<const double> exposed() const { return view().exposed; }
-  std::span<const int> touched_pup() const { return view().touched; }
-  std::span<const TouchingPair> touching() const { return view().touching; }
-  void set_observed(bool on) { set_observed(on ? kContactRecords : PartSet{}); }
-
   /// Replaces the cloud of one pup, e.g. to set up an experiment: 3 * points() numbers each. Throws
   /// std::out_of_range for a pup that is not there, std::invalid_argument for a wrong size. Numbers
   /// that are not finite (in the litter's precision) are reported by the next step, by point.

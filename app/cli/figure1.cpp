@@ -45,7 +45,7 @@ void work(const Options& options) {
   job.params = io::set_up(options.common.settings).params;
   job.ta = panels(options.ta, job.params);
   job.panel = options.panel;
-  job.threads = options.common.threads;
+  job.threads = thread_count(options.common);
   job.look = look_of(options.look);
   job.output = {options.common.out, options.common.force, options.common.quiet};
   io::refuse_existing(job.output.path, job.output.force);
@@ -61,8 +61,7 @@ Verb add_figure1(CLI::App& program) {
   options->common.out = "figure1.png";
   CommonHelp help;
   help.scene = false;
-  help.threads =
-      "Step the panels on N threads (default: as many as help); the picture stays the same";
+  help.threads = "Threads that step the panels (default: all cores); the picture stays the same";
   help.out = "The picture's file (default figure1.png)";
   help.quiet = "No progress";
   add_common(*app, options->common, help);

@@ -1,11 +1,8 @@
 #include "app/pictures/figure1.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <mutex>
-#include <thread>
 
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
@@ -18,6 +15,7 @@
 #include "app/view/color_bar.h"
 #include "app/view/framing.h"
 #include "app/view/text.h"
+#include "pupflow/ensemble.h"
 
 namespace pupflow::pictures {
 
@@ -36,68 +34,32 @@ std::vector<Simulation> litters(const Figure1Job& job) {
   return list;
 }
 
-/// Runs all litters to the end, on as many threads as help.
-class Runs {
- public:
-  Runs(std::vector<Simulation>& litters, const Figure1Job& job)
-      : litters_(litters),
-        steps_(job.params.steps),
-        threads_(job.threads > 0 ? static_cast<unsigned>(job.threads)
-                                 : std::max(1u, std::thread::hardware_concurrency())),
-        progress_("figure1", steps_ * static_cast<std::int64_t>(litters.size()), job.output.quiet) {
-  }
-
-  /// Throws what the first failing litter (in their order) threw.
-  void run() {
-    failures_.resize(litters_.size());
-    const std::size_t threads = std::min<std::size_t>(threads_, litters_.size());
-    {
-      std::vector<std::jthread> workers;
-      for (std::size_t i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });
-    }
-    for (const std::exception_ptr& failure : failures_) {
-      if (failure) std::rethrow_exception(failure);
-    }
-  }
-
- private:
-  void work() {
-    for (std::size_t i = next_++; i < litters_.size(); i = next_++) {
-      try {
-        run_one(litters_[i]);
-      } catch (...) {
-        failures_[i] = std::current_exception();
-      }
-    }
-  }
-
-  void run_one(Simulation& litter) {
-    constexpr std::int64_t kAtOnce = 25;
-    while (litter.steps_done() < steps_) {
+/// Runs all litters to the end, side by side on the threads that were asked for. Throws
+/// Failure(bad_numbers) when the numbers of a litter go wrong, and after Ctrl-C.
+void run_all(std::vector<Simulation>& litters, const Figure1Job& job) {
+  constexpr std::int64_t kAtOnce = 25;
+  const auto count = static_cast<std::int64_t>(litters.size());
+  io::Progress progress("figure1", job.params.steps * count, job.output.quiet);
+  std::mutex mutex;  // for progress and done
+  std::int64_t done = 0;
+  for_each_index(count, job.threads, [&](std::int64_t i) {
+    Simulation& litter = litters[static_cast<std::size_t>(i)];
+    while (litter.steps_done() < job.params.steps) {
       if (io::interrupted()) {
         throw io::Failure(io::ExitCode::interrupted, "interrupted; no figure was written");
       }
-      const std::int64_t count = std::min(kAtOnce, steps_ - litter.steps_done());
-      const Status status = litter.run(count);
+      const std::int64_t steps = std::min(kAtOnce, job.params.steps - litter.steps_done());
+      const Status status = litter.run(steps);
       if (!status.ok()) {
         throw io::Failure(io::ExitCode::bad_numbers,
                           "ta = " + io::number_text(litter.params().ambient_temperature) + ": " +
                               status.message());
       }
-      const std::lock_guard lock(mutex_);
-      done_ += count;
-      progress_.update(done_);
+      const std::lock_guard lock(mutex);
+      progress.update(done += steps);
     }
-  }
-
-  std::vector<Simulation>& litters_;
-  std::int64_t steps_, done_ = 0;
-  unsigned threads_;
-  std::vector<std::exception_ptr> failures_;
-  std::atomic<std::size_t> next_ = 0;
-  std::mutex mutex_;  // for done_ and progress_
-  io::Progress progress_;
-};
+  });
+}
 
 /// Where everything goes, in pixels.
 struct Layout {
@@ -186,7 +148,7 @@ void figure1(const Figure1Job& job) {
   io::refuse_existing(job.output.path, job.output.force);
   std::vector<Simulation> list = litters(job);
   const Headless headless(job.look);
-  Runs(list, job).run();
+  run_all(list, job);
 
   std::string panels;
   for (const double ta : job.ta) panels += (panels.empty() ? "" : ",") + io::number_text(ta);

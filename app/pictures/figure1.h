@@ -13,7 +13,7 @@ struct Figure1Job {
   Params params;                             // everything but ta
   std::vector<double> ta = {0.2, 0.5, 0.8};  // one panel each
   int panel = 560;                           // edge of a panel, pixels
-  int threads = 0;                           // that step the litters; 0: as many as help
+  int threads = 1;                           // that step the litters
   Look look;
   Output output;
 };

@@ -4,9 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "app/report/stability/maps.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::report {
+
+/// The parameter along one side of a map, and its values in rising order.
+struct MapAxis {
+  std::string name;  // of its CSV column: a parameter, or a ratio of two
+  std::string label;
+  bool log = false;
+  std::vector<double> values;
+  double least = 0, most = 0;  // limits of the drawn cells
+  double (*get)(const Params&) = nullptr;
+  void (*set)(Params&, double) = nullptr;
+};
 
 using Values = std::vector<double>;
 

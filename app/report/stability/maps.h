@@ -6,20 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "app/report/stability/axes.h"
 #include "app/report/stability/class.h"
 
 namespace pupflow::report {
-
-/// The parameter along one side of a map, and its values in rising order.
-struct MapAxis {
-  std::string name;  // of its CSV column: a parameter, or a ratio of two
-  std::string label;
-  bool log = false;
-  std::vector<double> values;
-  double least = 0, most = 0;  // limits of the drawn cells
-  double (*get)(const Params&) = nullptr;
-  void (*set)(Params&, double) = nullptr;
-};
 
 /// A curve from theory on a map: y as a gnuplot expression of x, or a vertical line.
 struct TheoryLine {

@@ -17,7 +17,7 @@ struct Entry {
   Rgb color;
 };
 
-// As published: the ends, quarters and middle that plotting programs print as hexadecimal colours.
+// As published: the ends, quarters and middle that plotting programs print as hexadecimal colors.
 TEST(Colormap, KnownEntries) {
   const Entry entries[] = {
       {"viridis", 0, {0x44, 0x01, 0x54}},   {"viridis", 64, {0x3b, 0x52, 0x8b}},

@@ -46,12 +46,12 @@ std::vector<Span> arenas(const io::Image& image, int row) {
   return spans;
 }
 
-/// How strongly coloured a pixel is: floor, rim and paper are grey.
+/// How strongly colored a pixel is: floor, rim and paper are grey.
 bool is_colored(Rgb c) {
   return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}) > 30;
 }
 
-/// Where on the map's way the hue of a shaded colour lies, in 0 ... 1.
+/// Where on the map's way the hue of a shaded color lies, in 0 ... 1.
 double place_on(view::Colormap map, Rgb c) {
   std::size_t best = 0;
   double best_angle = -1;
@@ -120,7 +120,7 @@ TEST(Figure1, BarHasTheColorsOfTheMap) {
   const io::Image image = io::read_png(job.output.path);
   const view::ColorScale scale("inferno", 0, 1);
   const int left = arenas(image, image.height / 2).back().end;
-  // The bar's column: where nearly all of the rows within the bar are colours of the map.
+  // The bar's column: where nearly all of the rows within the bar are colors of the map.
   int best = 0;
   std::vector<Rgb> bar;
   for (int x = left; x < image.width; ++x) {

@@ -10,7 +10,7 @@
 namespace pupflow::report {
 namespace {
 
-/// Colours that colour-blind readers can tell apart (Okabe & Ito 2008).
+/// Colors that color-blind readers can tell apart (Okabe & Ito 2008).
 constexpr const char* kColors[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                    "#E69F00", "#56B4E9", "#444444", "#B8A800"};
 

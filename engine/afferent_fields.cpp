@@ -38,7 +38,7 @@ constexpr std::array kAfferentFields{
                  .label = "afferent temperature",
                  .equation = "T_b' of the touched pup, or T_a",
                  .doc = "What the afferent feels: felt_tb of the pup that it touches, T_a where it "
-                        "touches nobody.",
+                        "touches no pup.",
                  .low = 0,
                  .high = 1,
                  .parts = {Part::owners, Part::pairs}},

@@ -143,8 +143,8 @@ TEST_F(CliGraphics, RenderRefusesBadOptions) {
 
 TEST_F(CliGraphics, Figure1HandsOverItsJob) {
   give_module();
-  EXPECT_THAT(pupflow({"figure1"}).out,
-              StartsWith("figure1 seed=1 panel=560 threads=0 ta 0.2 0.5 0.8\n"));
+  EXPECT_THAT(pupflow({"figure1", "--threads", "3"}).out,
+              StartsWith("figure1 seed=1 panel=560 threads=3 ta 0.2 0.5 0.8\n"));
   EXPECT_THAT(pupflow({"figure1", "--ta", "-0.5,1", "--panel", "120", "--seed", "3", "--threads",
                        "2", "--out", "f.png"})
                   .out,

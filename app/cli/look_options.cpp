@@ -11,10 +11,6 @@
 namespace pupflow::cli {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw io::Failure(io::ExitCode::bad_input, what);
-}
-
 const LitterField& field_of(const std::string& name) {
   if (const LitterField* field = find_field(name)) return *field;
   std::vector<std::string_view> names;
@@ -24,8 +20,8 @@ const LitterField& field_of(const std::string& name) {
   std::string all;
   for (const std::string_view known : names) all += (all.empty() ? "" : ", ") + std::string(known);
   const std::string meant = io::did_you_mean(name, names);
-  refuse("--color-by: unknown field " + io::quoted(name) +
-         (meant.empty() ? "; must be one of " + all : meant));
+  io::refuse("--color-by: unknown field " + io::quoted(name) +
+             (meant.empty() ? "; must be one of " + all : meant));
 }
 
 /// The scale of the field with what was typed for it.
@@ -35,7 +31,7 @@ view::ColorScale scale_of(const LookOptions& options) {
     try {
       set();
     } catch (const io::Failure& failure) {
-      refuse(option + " " + text + ": " + failure.what());
+      io::refuse(option + " " + text + ": " + failure.what());
     }
   };
   if (!options.colormap.empty()) {
@@ -44,7 +40,7 @@ view::ColorScale scale_of(const LookOptions& options) {
   if (options.scale.empty()) return scale;
   const std::vector<double> ends = parse_numbers("--scale", options.scale);
   if (ends.size() != 2 || !(ends[0] < ends[1])) {
-    refuse("--scale " + options.scale + ": must be MIN,MAX with MIN < MAX, e.g. 0,1");
+    io::refuse("--scale " + options.scale + ": must be MIN,MAX with MIN < MAX, e.g. 0,1");
   }
   take("--scale", options.scale, [&] { scale.set_range(ends[0], ends[1]); });
   return scale;

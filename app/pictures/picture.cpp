@@ -14,10 +14,6 @@ namespace pupflow::pictures {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw io::Failure(io::ExitCode::bad_input, what);
-}
-
 std::string limits(int least, int most) {
   return std::to_string(least) + " ... " + std::to_string(most);
 }
@@ -39,7 +35,7 @@ Simulation observed_litter(const Params& params, const Field& field) {
   for (const Problem& problem : check(params)) {
     problems += (problems.empty() ? "" : "; ") + problem.message;
   }
-  if (!problems.empty()) refuse(problems);
+  if (!problems.empty()) io::refuse(problems);
   Simulation simulation(params);
   simulation.set_observed(field.parts);
   return simulation;
@@ -57,14 +53,14 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
   check_samples(supersample_);
   for (const int side : {width, height}) {
     if (side >= kSmallestSide && side <= kLargestSide) continue;
-    refuse("a picture's sides must be " + limits(kSmallestSide, kLargestSide) + " pixels, not " +
-           std::to_string(width) + "x" + std::to_string(height));
+    io::refuse("a picture's sides must be " + limits(kSmallestSide, kLargestSide) +
+               " pixels, not " + std::to_string(width) + "x" + std::to_string(height));
   }
   const int gap = static_cast<int>(style_.text_size);
   const int strip = margins_.left + bar_width_ + margins_.right + gap;
   scene_width_ = bar ? width - strip : width;
   if (scene_width_ < kSmallestSide) {
-    refuse("a picture " + std::to_string(width) + " pixels wide has no room for the color bar");
+    io::refuse("a picture " + std::to_string(width) + " pixels wide has no room for the color bar");
   }
 }
 
@@ -94,8 +90,8 @@ io::TextEntries Picture::look_entries() const {
 
 void check_samples(int supersample) {
   if (supersample >= 1 && supersample <= kMostSamples) return;
-  refuse("the samples across a pixel must be " + limits(1, kMostSamples) + ", not " +
-         std::to_string(supersample));
+  io::refuse("the samples across a pixel must be " + limits(1, kMostSamples) + ", not " +
+             std::to_string(supersample));
 }
 
 io::TextEntries look_entries(const view::ColorScale& scale, int supersample) {

@@ -12,22 +12,19 @@
 namespace pupflow::report {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) {
-  throw io::Failure(io::ExitCode::bad_input, message);
-}
-
 void check_run(const OwnRun& run, std::int64_t seeds) {
   const Params& p = run.params;
-  if (p.pups == 0) refuse("pups = 0: there are no means without pups; pups must be at least 1");
+  if (p.pups == 0) io::refuse("pups = 0: there are no means without pups; pups must be at least 1");
   if (p.discard >= p.steps) {
-    refuse("discard = " + std::to_string(p.discard) + " leaves out all " + std::to_string(p.steps) +
-           " steps, so there are no means; discard must be below steps");
+    io::refuse("discard = " + std::to_string(p.discard) + " leaves out all " +
+               std::to_string(p.steps) +
+               " steps, so there are no means; discard must be below steps");
   }
   Params last = p;
   last.seed += seeds - 1;
   if (!check(last).empty()) {
-    refuse("seed = " + std::to_string(p.seed) + ": the last of " + std::to_string(seeds) +
-           " seeds would be too large; choose a lower seed");
+    io::refuse("seed = " + std::to_string(p.seed) + ": the last of " + std::to_string(seeds) +
+               " seeds would be too large; choose a lower seed");
   }
   const std::vector<std::string> names = statistic_names();
   for (const std::string& wanted : run.observables) {
@@ -36,8 +33,8 @@ void check_run(const OwnRun& run, std::int64_t seeds) {
     for (const std::string& name : names) listed += (listed.empty() ? "" : ", ") + name;
     const std::vector<std::string_view> views(names.begin(), names.end());
     const std::string meant = io::did_you_mean(wanted, views);
-    refuse("--observable: unknown " + io::quoted(wanted) +
-           (meant.empty() ? "; there are " + listed : meant));
+    io::refuse("--observable: unknown " + io::quoted(wanted) +
+               (meant.empty() ? "; there are " + listed : meant));
   }
 }
 

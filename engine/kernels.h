@@ -19,7 +19,7 @@ struct Region {
 /// Points copied side by side for a search: coordinates, and where they came from.
 template <class Real>
 struct Candidates {
-  Real *x, *y, *z;  // with room for one pack behind the last point
+  Real *x, *y, *z;  // with room for 16 numbers behind the last point
   int* point;       // with room for 64 bytes behind the last
   int count;
 };
@@ -29,6 +29,7 @@ template <class Real>
 struct CandidateContacts {
   Real* nearest;  // squared distance to the nearest touching point; infinite without contact
   std::uint64_t* touching;  // bit i is set where candidate i has a contact
+  // Each row has room for 16 numbers behind the last candidate.
   // By touch_nearest:
   Real* lower;    // squared distance to the nearest touching point below; infinite where none is
   Real* partner;  // index of that point among the other pup's candidates: a whole number
@@ -36,6 +37,21 @@ struct CandidateContacts {
   Real* displacement[3];  // sum of (p_a - p_b)(reach - d) over contacts where it is the upper one
   Real* velocity[3];      // sum of (p_b - p_a) over the same contacts
   Real* uppers;           // number of those contacts
+};
+
+/// Candidates, rounded: relative to some origin. Room as in Candidates.
+struct RoughPoints {
+  float* xyz[3];
+  float* half_square;  // half of x^2 + y^2 + z^2
+};
+
+/// Working memory for finding what touches.
+template <class Real>
+struct TouchMemory {
+  RoughPoints a, b;
+  int* list;          // candidates of a, and 64 bytes
+  std::uint8_t* met;  // one for each candidate of a
+  Real* tiles;        // 8 packs for each candidate of a
 };
 
 /// Arrays hold `stride` numbers, a whole number of packs (lanes.h). xyz are three such arrays. x
@@ -90,7 +106,8 @@ struct Kernels {
   /// touch_sums the sums over all touching lower points.
   using FindTouching = bool(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
                             const CandidateContacts<Real>& contacts_a,
-                            const CandidateContacts<Real>& contacts_b);
+                            const CandidateContacts<Real>& contacts_b,
+                            const TouchMemory<Real>& memory);
   FindTouching* touch_nearest;
   FindTouching* touch_sums;
 };

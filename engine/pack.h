@@ -55,11 +55,13 @@ struct NativeVector<double> {
   typedef double unaligned __attribute__((vector_size(kNativeBytes), aligned(8), may_alias));
 };
 
-template <class Real>
+/// Numbers side by side in whole registers: a pack of 64 bytes, or the contents of one register.
+template <class Real, int Bytes = kPackBytes>
 struct Pack {
   using Native = typename NativeVector<Real>::type;
   using Unaligned = typename NativeVector<Real>::unaligned;
-  static constexpr int kParts = kPackBytes / kNativeBytes;
+  static constexpr int kParts = Bytes / kNativeBytes;
+  static constexpr int kCount = Bytes / static_cast<int>(sizeof(Real));
   static constexpr int kNativeLanes = kNativeBytes / static_cast<int>(sizeof(Real));
   Native part[kParts];
 
@@ -78,7 +80,8 @@ struct Pack {
 
   PUPFLOW_INLINE static Pack broadcast(Real value) {
     Pack p;
-    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) p.part[i] = Native{} + value;
+    // The sum with 0 would turn -0 into 0, so the compiler would have to compute it.
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) p.part[i] = value - Native{};
     return p;
   }
   PUPFLOW_INLINE static Pack zero() {
@@ -138,6 +141,15 @@ struct Pack {
   }
   PUPFLOW_INLINE Real greatest() const {
     return fold([](auto a, auto b) { return a > b ? a : b; });
+  }
+
+  /// a b + c, rounded once or twice, as the instruction set has it. Only for looks at what is to be
+  /// computed exactly: the bits differ between instruction sets.
+  PUPFLOW_INLINE friend Pack roughly(const Pack& a, const Pack& b, Pack c) {
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) {
+      c.part[i] = native_roughly(a.part[i], b.part[i], c.part[i]);
+    }
+    return c;
   }
 
   PUPFLOW_INLINE friend Pack sqrt(Pack a) {
@@ -214,6 +226,15 @@ struct Pack {
 #endif
   }
 
+  PUPFLOW_INLINE static Native native_roughly(Native a, Native b, Native c) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(Real) == 4) return Native(_mm512_fmadd_ps(__m512(a), __m512(b), __m512(c)));
+#elif defined(__FMA__)
+    if constexpr (sizeof(Real) == 4) return Native(_mm256_fmadd_ps(__m256(a), __m256(b), __m256(c)));
+#endif
+    return a * b + c;
+  }
+
   PUPFLOW_INLINE static std::uint32_t native_less_bits(Native a, Native b) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(Real) == 4) {
@@ -241,6 +262,41 @@ struct Pack {
   }
 };
 
+/// All lanes of a pack of `Count` numbers, one bit each.
+template <int Count>
+constexpr std::uint32_t kAllLanes = (std::uint32_t{1} << Count) - 1;
+
+/// The same numbers as floats.
+template <int Bytes>
+PUPFLOW_INLINE inline Pack<float, Bytes> rounded(const Pack<float, Bytes>& numbers) {
+  return numbers;
+}
+template <int Bytes>
+PUPFLOW_INLINE inline Pack<float, Bytes / 2> rounded(const Pack<double, Bytes>& numbers) {
+  using From = Pack<double, Bytes>;
+  typedef float Half __attribute__((vector_size(kNativeBytes / 2), aligned(4), may_alias));
+  alignas(kPackBytes) float values[From::kCount];
+  PUPFLOW_UNROLL for (int i = 0; i < From::kParts; ++i) {
+    *reinterpret_cast<Half*>(values + i * From::kNativeLanes) =
+        __builtin_convertvector(numbers.part[i], Half);
+  }
+  return Pack<float, Bytes / 2>::load(values);
+}
+
+/// The places of the set bits of each byte, in order.
+struct PlacesOfBits {
+  std::uint8_t of[256][8];
+  constexpr PlacesOfBits() : of() {
+    for (int byte = 0; byte < 256; ++byte) {
+      int count = 0;
+      for (int bit = 0; bit < 8; ++bit) {
+        if ((byte >> bit) & 1) of[byte][count++] = static_cast<std::uint8_t>(bit);
+      }
+    }
+  }
+};
+[[maybe_unused]] alignas(64) constexpr PlacesOfBits kPlaces;
+
 /// Writes the lanes of `from` whose bits are set to `to`, without gaps. A whole pack at `to` may be
 /// overwritten.
 template <class Real>
@@ -258,16 +314,22 @@ PUPFLOW_INLINE inline void compress(const Real* from, std::uint32_t bits, Real* 
 #endif
 }
 
-/// Writes `first` + i for each set bit i < 16 of `bits` to `to`, without gaps. 64 bytes at `to` may
-/// be overwritten.
-PUPFLOW_INLINE inline void compress_index(int first, std::uint32_t bits, int* to) {
+/// Writes `first` + i for each set bit i of the `Count` <= 16 lowest of `bits` to `to`, without
+/// gaps. 64 bytes at `to` may be overwritten. Returns the number of set bits.
+template <int Count>
+PUPFLOW_INLINE inline int compress_index(int first, std::uint32_t bits, int* to) {
 #if defined(__AVX512F__)
   const __m512i ramp = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
   const __m512i index = _mm512_add_epi32(ramp, _mm512_set1_epi32(first));
   _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), index));
 #else
-  for (; bits != 0; bits &= bits - 1) *to++ = first + std::countr_zero(bits);
+  PUPFLOW_UNROLL for (int half = 0; half < Count; half += 8) {
+    const std::uint32_t byte = (bits >> half) & 255;
+    for (int i = 0; i < 8; ++i) to[i] = first + half + kPlaces.of[byte][i];
+    to += std::popcount(byte);
+  }
 #endif
+  return std::popcount(bits);
 }
 
 }  // namespace

@@ -25,11 +25,11 @@ template <class Real>
 alignas(kPackBytes) constexpr Real kRamp[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 /// `value` in the first `count` lanes, `other` in the rest.
-template <class Real>
-PUPFLOW_INLINE inline Pack<Real> first_lanes(int count, const Pack<Real>& value,
-                                             const Pack<Real>& other) {
-  return select_less(Pack<Real>::load(kRamp<Real>), Pack<Real>::broadcast(static_cast<Real>(count)),
-                     value, other);
+template <class Real, int Bytes>
+PUPFLOW_INLINE inline Pack<Real, Bytes> first_lanes(int count, const Pack<Real, Bytes>& value,
+                                                    const Pack<Real, Bytes>& other) {
+  using P = Pack<Real, Bytes>;
+  return select_less(P::load(kRamp<Real>), P::broadcast(static_cast<Real>(count)), value, other);
 }
 
 /// Calls `visit(i, whole)` for the packs that contain `count` numbers. `whole` is false in the last

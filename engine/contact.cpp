@@ -65,8 +65,8 @@ void Contacts<Real>::NearPoints::make_room(int stride) {
 template <class Real>
 void Contacts<Real>::Comparison::make_room(int stride) {
   const std::size_t room = stride + kMargin;
-  rough.resize(8 * room);
-  list.resize(room);
+  rough.resize(12 * room);
+  list.resize(2 * room);
   met.resize(room);
   tiles.resize(8 * kLanes<Real> * room);
 }
@@ -79,9 +79,10 @@ TouchMemory<Real> Contacts<Real>::Comparison::memory() {
     next += room;
     return next - room;
   };
-  return {{{take(), take(), take()}, take()},
-          {{take(), take(), take()}, take()},
+  return {{{take(), take(), take()}, take(), reinterpret_cast<float(*)[4]>(rough.data() + 8 * room)},
+          {{take(), take(), take()}, take(), nullptr},
           list.data(),
+          list.data() + room,
           met.data(),
           tiles.data()};
 }

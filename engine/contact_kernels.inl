@@ -92,6 +92,15 @@ using Block = Pack<Real, std::min(kPackBytes, kGroup * static_cast<int>(sizeof(R
 template <class Real>
 constexpr int kBlock = Block<Real>::kCount;
 
+/// Writes four numbers a point, side by side, for looks from the points of a group.
+inline void set_side_by_side(const RoughPoints& points, int count, float half_limit) {
+  for (int i = 0; i < count; ++i) {
+    float* const to = points.beside[i];
+    for (int axis = 0; axis < 3; ++axis) to[axis] = points.xyz[axis][i];
+    to[3] = points.half_square[i] - half_limit;
+  }
+}
+
 /// Rounds candidates: their places relative to `origin`, and half their squared distances from it.
 /// Returns the largest square.
 template <class Real>
@@ -159,21 +168,24 @@ struct RoughGroup {
     return listed;
   }
 
-  /// Keeps in a list the points of a whose half_square is at most `half_limit` larger than their
-  /// product with a point of the group less its half_square.
-  int keep_near_points(const RoughPoints& a, float half_limit, int* list, int listed) const {
-    int kept = 0;
+  /// Copies to `kept` the listed points p of a for which
+  ///
+  ///   p^2 / 2 + q^2 / 2 - p q  <  half_limit
+  ///
+  /// with a point q of the group. Returns their number.
+  int keep_near_points(const RoughPoints& a, const int* list, int listed, int* kept) const {
+    int count = 0;
     for (int k = 0; k < listed; ++k) {
       const int i = list[k];
-      list[kept] = i;
+      kept[count] = i;
+      const float* const p = a.beside[i];
       Rough sum = minus_half_square;
       PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) {
-        sum = roughly(xyz[axis], Rough::broadcast(a.xyz[axis][i]), sum);
+        sum = roughly(xyz[axis], Rough::broadcast(p[axis]), sum);
       }
-      const Rough limit = Rough::broadcast(a.half_square[i] - half_limit);
-      kept += less_bits(sum, limit) != kAllLanes<kGroup> ? 1 : 0;
+      count += less_bits(sum, Rough::broadcast(p[3])) != kAllLanes<kGroup> ? 1 : 0;
     }
-    return kept;
+    return count;
   }
 };
 
@@ -365,18 +377,19 @@ bool touch(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
   const float margin = margin_for(size_a < size_b ? size_b : size_a);
   const auto rough_reach = static_cast<float>(reach);
   const float half_limit = rough_reach * rough_reach / 2 + margin;
+  set_side_by_side(memory.a, a.count, half_limit);
   Rule rule(a, b, reach, to_a, to_b, memory.tiles);
   for (int i = 0; i < a.count; ++i) memory.met[i] = 0;
   for (int j = 0; j < b.count; j += kGroup) {
     const RoughGroup group(memory.b, j, b.count);
     int count = group.list_near_ball(memory.a, a.count, rough_reach, margin, memory.list);
-    count = group.keep_near_points(memory.a, half_limit, memory.list, count);
+    count = group.keep_near_points(memory.a, memory.list, count, memory.kept);
     for (int block = j; block < j + kGroup; block += kBlock<Real>) {
       rule.begin_block(block);
-      for (int k = 0; k < count; ++k) rule.meet(memory.list[k]);
+      for (int k = 0; k < count; ++k) rule.meet(memory.kept[k]);
       rule.end_block(block);
     }
-    for (int k = 0; k < count; ++k) memory.met[memory.list[k]] = 1;
+    for (int k = 0; k < count; ++k) memory.met[memory.kept[k]] = 1;
   }
   bool any = false;
   for (int i = 0; i < a.count; ++i) {

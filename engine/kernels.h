@@ -43,13 +43,14 @@ struct CandidateContacts {
 struct RoughPoints {
   float* xyz[3];
   float* half_square;  // half of x^2 + y^2 + z^2
+  float (*beside)[4];  // x, y, z and a limit, for each point
 };
 
 /// Working memory for finding what touches.
 template <class Real>
 struct TouchMemory {
   RoughPoints a, b;
-  int* list;          // candidates of a, and 64 bytes
+  int *list, *kept;   // candidates of a, and 64 bytes
   std::uint8_t* met;  // one for each candidate of a
   Real* tiles;        // 8 packs for each candidate of a
 };

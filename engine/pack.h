@@ -309,6 +309,22 @@ PUPFLOW_INLINE inline void compress(const Real* from, std::uint32_t bits, Real* 
     const auto mask = static_cast<__mmask8>(bits);
     _mm512_storeu_pd(to, _mm512_maskz_compress_pd(mask, _mm512_loadu_pd(from)));
   }
+#elif defined(__AVX2__)
+  // Eight floats at a time, or four doubles as pairs of floats, moved by the places in the table.
+  constexpr int kTogether = 32 / static_cast<int>(sizeof(Real));
+  PUPFLOW_UNROLL for (int i = 0; i < kLanes<Real>; i += kTogether) {
+    std::uint32_t moved = (bits >> i) & ((1u << kTogether) - 1);
+    const int count = std::popcount(moved);
+    if constexpr (sizeof(Real) == 8) {  // each bit twice
+      moved = (moved | (moved << 2)) & 0x33;
+      moved = ((moved | (moved << 1)) & 0x55) * 3;
+    }
+    const __m256i places = _mm256_cvtepu8_epi32(
+        _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kPlaces.of[moved])));
+    const __m256 numbers = _mm256_loadu_ps(reinterpret_cast<const float*>(from + i));
+    _mm256_storeu_ps(reinterpret_cast<float*>(to), _mm256_permutevar8x32_ps(numbers, places));
+    to += count;
+  }
 #else
   for (; bits != 0; bits &= bits - 1) *to++ = from[std::countr_zero(bits)];
 #endif

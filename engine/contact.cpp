@@ -79,12 +79,13 @@ TouchMemory<Real> Contacts<Real>::Comparison::memory() {
     next += room;
     return next - room;
   };
-  return {{{take(), take(), take()}, take(), reinterpret_cast<float(*)[4]>(rough.data() + 8 * room)},
-          {{take(), take(), take()}, take(), nullptr},
-          list.data(),
-          list.data() + room,
-          met.data(),
-          tiles.data()};
+  return {
+      {{take(), take(), take()}, take(), reinterpret_cast<float(*)[4]>(rough.data() + 8 * room)},
+      {{take(), take(), take()}, take(), nullptr},
+      list.data(),
+      list.data() + room,
+      met.data(),
+      tiles.data()};
 }
 
 template <class Real>
@@ -229,10 +230,17 @@ std::int64_t Contacts<Real>::searched_pairs() const {
 template <class Real>
 void Contacts<Real>::join(const TouchRange& range, Scratch& mine) const {
   const Scratch& source = scratch_[range.worker];
+  std::uint64_t bits = 0;  // of a word: points come in order
+  int word = 0;
   for (int i = range.begin; i < range.end; ++i) {
     const Touch& touch = source.touches[i];
     assert(touch.point >= 0 && touch.point < static_cast<int>(mine.contacts.size()));
-    mine.bits[touch.point / 64] |= std::uint64_t{1} << (touch.point % 64);
+    if (touch.point / 64 != word) {
+      mine.bits[word] |= bits;
+      word = touch.point / 64;
+      bits = 0;
+    }
+    bits |= std::uint64_t{1} << (touch.point % 64);
     Contact& contact = mine.contacts[touch.point];
     // Pairs are sorted, so the first of equal distances is that of the lower pup.
     const bool nearer = touch.nearest < contact.nearest, lower = touch.lower < contact.lower;
@@ -241,6 +249,7 @@ void Contacts<Real>::join(const TouchRange& range, Scratch& mine) const {
     contact.lower = lower ? touch.lower : contact.lower;
     contact.mover = lower ? &touch : contact.mover;
   }
+  mine.bits[word] |= bits;
   if (rule_ == ContactRule::nearest) return;
   for (int i = range.begin; i < range.end; ++i) {
     const Sums& sums = source.sums[i];

@@ -71,8 +71,8 @@ class Contacts {
     int point;
     Real nearest;  // squared distance of the nearest touching point
     // With ContactRule::nearest:
-    Real lower;    // squared distance of the nearest touching lower point; infinite without one
-    Real apart[3]; // p_a - p_b, b being that point
+    Real lower;     // squared distance of the nearest touching lower point; infinite without one
+    Real apart[3];  // p_a - p_b, b being that point
   };
   /// With the other rules also, of all its touching lower points:
   struct Sums {
@@ -106,12 +106,12 @@ class Contacts {
   };
   /// Working memory of one worker.
   struct Scratch {
-    NearPoints first, second;         // of the pair whose points are being compared
+    NearPoints first, second;  // of the pair whose points are being compared
     Comparison comparison;
-    std::int64_t searched;            // pairs, in this step
-    std::vector<Touch> touches;       // of all its pairs, one after the other: the first `used`
+    std::int64_t searched;       // pairs, in this step
+    std::vector<Touch> touches;  // of all its pairs, one after the other: the first `used`
     int used;
-    std::vector<Sums> sums;           // of the same
+    std::vector<Sums> sums;  // of the same
     // Of the pup that is being moved:
     std::vector<Contact> contacts;    // by point
     std::vector<Sums> total;          // by point

@@ -88,7 +88,7 @@ using Rough = Pack<float, kNativeBytes>;  // of the points of a group
 
 /// Groups are computed in blocks that are not wider than a pack.
 template <class Real>
-using Block = Pack<Real, std::min(kPackBytes, kGroup * static_cast<int>(sizeof(Real)))>;
+using Block = Pack<Real, std::min(kPackBytes, kGroup* static_cast<int>(sizeof(Real)))>;
 template <class Real>
 constexpr int kBlock = Block<Real>::kCount;
 
@@ -105,7 +105,7 @@ inline void set_side_by_side(const RoughPoints& points, int count, float half_li
 /// Returns the largest square.
 template <class Real>
 float round_off(const Candidates<Real>& candidates, const Real origin[3], const RoughPoints& out) {
-  using P = Pack<Real, kGroup * static_cast<int>(sizeof(Real))>;
+  using P = Pack<Real, kGroup* static_cast<int>(sizeof(Real))>;
   const Real* const from[3] = {candidates.x, candidates.y, candidates.z};
   Rough most = Rough::zero();
   for (int i = 0; i < candidates.count; i += kGroup) {
@@ -284,8 +284,13 @@ class Sums {
 
   Sums(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
        const CandidateContacts<Real>& to_a, const CandidateContacts<Real>& to_b, Real* tiles)
-      : a_(a), b_(b), to_a_(to_a), to_b_(to_b), reach_(P::broadcast(reach)),
-        limit_(reach_ * reach_), infinity_(P::broadcast(std::numeric_limits<Real>::infinity())) {
+      : a_(a),
+        b_(b),
+        to_a_(to_a),
+        to_b_(to_b),
+        reach_(P::broadcast(reach)),
+        limit_(reach_ * reach_),
+        infinity_(P::broadcast(std::numeric_limits<Real>::infinity())) {
     const int room = a.count * kLanes<Real>;
     for (int row = 0; row < 8; ++row) tile_[row] = tiles + row * room;
     fill(std::numeric_limits<Real>::infinity(), room, tile_[0]);

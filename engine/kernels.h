@@ -69,6 +69,11 @@ struct Kernels {
   ///   v_z <- |v_z|
   ///   z   <- r
   void (*floor)(Real r, int stride, Real* z, Real* vz);
+  /// Sets the bits of `words`, of which there are words_for(points) (point_set.h), where
+  ///   (|x| + r)^2 + (|y| + r)^2 > arena_squared
+  /// and clears the others. Returns whether any is set.
+  bool (*wall)(const Real* x, const Real* y, int points, Real r, Real arena_squared,
+               std::uint64_t* words);
   /// v <- v + gain
   /// x <- x + h v
   void (*predict)(Real h, Real gain, int points, Real* x, Real* v);

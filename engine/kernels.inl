@@ -55,6 +55,23 @@ void floor(Real r, int stride, Real* z, Real* vz) {
 }
 
 template <class Real>
+bool wall(const Real* x, const Real* y, int points, Real r, Real arena_squared,
+          std::uint64_t* words) {
+  using P = Pack<Real>;
+  const P radius = P::broadcast(r), limit = P::broadcast(arena_squared);
+  for (int w = 0; w < words_for(points); ++w) words[w] = 0;
+  std::uint32_t any = 0;
+  for (int i = 0; i < points; i += kLanes<Real>) {
+    const P px = P::load(x + i), py = P::load(y + i);
+    const P dx = max(px, P::zero() - px) + radius, dy = max(py, P::zero() - py) + radius;
+    const std::uint32_t bits = less_bits(limit, dx * dx + dy * dy) & point_lanes<Real>(i, points);
+    set_bits(words, i, bits);
+    any |= bits;
+  }
+  return any != 0;
+}
+
+template <class Real>
 void predict(Real h, Real gain, int points, Real* x, Real* v) {
   assert(points > 0 && x != v);
   using P = Pack<Real>;
@@ -227,8 +244,9 @@ void left(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosin
 
 template <class Real>
 constexpr Kernels<Real> kKernels{
-    bounds<Real>, floor<Real>, predict<Real>, fit<Real>, pull<Real>,          pull_damped<Real>,
-    dot<Real>,    left<Real>,  gather<Real>,  box<Real>, touch_nearest<Real>, touch_sums<Real>};
+    bounds<Real>, floor<Real>,         wall<Real>,      predict<Real>, fit<Real>,
+    pull<Real>,   pull_damped<Real>,   dot<Real>,       left<Real>,    gather<Real>,
+    box<Real>,    touch_nearest<Real>, touch_sums<Real>};
 
 }  // namespace
 

@@ -228,9 +228,11 @@ struct Pack {
 
   PUPFLOW_INLINE static Native native_roughly(Native a, Native b, Native c) {
 #if defined(__AVX512F__)
-    if constexpr (sizeof(Real) == 4) return Native(_mm512_fmadd_ps(__m512(a), __m512(b), __m512(c)));
+    if constexpr (sizeof(Real) == 4)
+      return Native(_mm512_fmadd_ps(__m512(a), __m512(b), __m512(c)));
 #elif defined(__FMA__)
-    if constexpr (sizeof(Real) == 4) return Native(_mm256_fmadd_ps(__m256(a), __m256(b), __m256(c)));
+    if constexpr (sizeof(Real) == 4)
+      return Native(_mm256_fmadd_ps(__m256(a), __m256(b), __m256(c)));
 #endif
     return a * b + c;
   }
@@ -319,8 +321,8 @@ PUPFLOW_INLINE inline void compress(const Real* from, std::uint32_t bits, Real* 
       moved = (moved | (moved << 2)) & 0x33;
       moved = ((moved | (moved << 1)) & 0x55) * 3;
     }
-    const __m256i places = _mm256_cvtepu8_epi32(
-        _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kPlaces.of[moved])));
+    const __m256i places =
+        _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(kPlaces.of[moved])));
     const __m256 numbers = _mm256_loadu_ps(reinterpret_cast<const float*>(from + i));
     _mm256_storeu_ps(reinterpret_cast<float*>(to), _mm256_permutevar8x32_ps(numbers, places));
     to += count;

@@ -3,90 +3,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "engine/health.h"
 #include "engine/invariants.h"
-#include "engine/lanes.h"
 #include "engine/point_set.h"
 
 namespace pupflow {
-namespace {
-
-constexpr int kMargin = 16;  // behind candidates, for whole packs of either precision
-
-/// radius + reach, plus more than the rounding errors of a comparison with it: no contact is lost.
-template <class Real>
-Real search_radius(Real radius, Real reach) {
-  return (radius + reach) * (1 + 32 * std::numeric_limits<Real>::epsilon());
-}
-
-/// value + margin, moved further in the direction of `margin` by more than its rounding error.
-template <class Real>
-Real widened(Real value, Real margin) {
-  const Real rounding = 4 * std::numeric_limits<Real>::epsilon() * std::abs(value);
-  return value + margin + (margin < 0 ? -rounding : rounding);
-}
-
-template <class Real>
-bool balls_meet(const Bounds<Real>& a, const Bounds<Real>& b, Real reach) {
-  const Real dx = a.centre[0] - b.centre[0], dy = a.centre[1] - b.centre[1],
-             dz = a.centre[2] - b.centre[2];
-  const Real limit = search_radius(a.radius + b.radius, reach);
-  return dx * dx + dy * dy + dz * dz < limit * limit;
-}
-
-}  // namespace
-
-template <class Real>
-void Contacts<Real>::NearPoints::make_room(int stride) {
-  const std::size_t room = stride + kMargin;
-  point.resize(room + kPackBytes / sizeof(int));
-  touching.resize(words_for(static_cast<int>(room)));
-  numbers.resize(13 * room);
-  // Pointers are set each time: in a copied simulation they would still point into the original.
-  Real* next = numbers.data();
-  const auto take = [&] {
-    next += room;
-    return next - room;
-  };
-  candidates = {take(), take(), take(), point.data(), 0};
-  contacts.nearest = take();
-  contacts.touching = touching.data();
-  contacts.lower = take();
-  contacts.partner = take();
-  for (Real*& row : contacts.displacement) row = take();
-  for (Real*& row : contacts.velocity) row = take();
-  contacts.uppers = take();
-}
-
-template <class Real>
-void Contacts<Real>::Comparison::make_room(int stride) {
-  const std::size_t room = stride + kMargin;
-  rough.resize(12 * room);
-  list.resize(2 * room);
-  met.resize(room);
-  tiles.resize(8 * kLanes<Real> * room);
-}
-
-template <class Real>
-TouchMemory<Real> Contacts<Real>::Comparison::memory() {
-  const std::size_t room = met.size();
-  float* next = rough.data();
-  const auto take = [&] {
-    next += room;
-    return next - room;
-  };
-  return {
-      {{take(), take(), take()}, take(), reinterpret_cast<float(*)[4]>(rough.data() + 8 * room)},
-      {{take(), take(), take()}, take(), nullptr},
-      list.data(),
-      list.data() + room,
-      met.data(),
-      tiles.data()};
-}
 
 template <class Real>
 void Contacts<Real>::make_room(const State<Real>& state, int workers, std::size_t pairs) {
@@ -112,30 +36,9 @@ void Contacts<Real>::make_room(const State<Real>& state, int workers, std::size_
 
 template <class Real>
 bool Contacts<Real>::touch_pair(const State<Real>& state, NearPair pair, Scratch& mine) const {
-  const Bounds<Real>& a = state.bounds[pair.first];
-  const Bounds<Real>& b = state.bounds[pair.second];
-  if (!balls_meet(a, b, reach_)) return false;
+  if (!balls_meet(state.bounds[pair.first], state.bounds[pair.second], reach_)) return false;
   ++mine.searched;
-  // First the points of the first pup that are near the other's bounds, then the points of the
-  // second that are near the box round these.
-  const Real margin = search_radius(Real(0), reach_);
-  const auto gather = [&](int pup, const Bounds<Real>& ball, const Real low[3], const Real high[3],
-                          NearPoints& near) {
-    const std::size_t row = state.row(pup);
-    const Real* xyz[3] = {state.x.data() + row, state.y.data() + row, state.z.data() + row};
-    Region<Real> region{{}, search_radius(ball.radius, reach_), {}, {}};
-    for (int axis = 0; axis < 3; ++axis) {
-      region.centre[axis] = ball.centre[axis];
-      region.low[axis] = widened(low[axis], -margin);
-      region.high[axis] = widened(high[axis], margin);
-    }
-    state.kernels->gather(xyz, state.points, region, near.candidates);
-    return near.candidates.count > 0;
-  };
-  if (!gather(pair.first, b, b.low, b.high, mine.first)) return false;
-  Real low[3], high[3];
-  state.kernels->box(mine.first.candidates, low, high);
-  if (!gather(pair.second, a, low, high, mine.second)) return false;
+  if (!find_near_points(state, pair, reach_, mine.first, mine.second)) return false;
   const auto touch =
       rule_ == ContactRule::nearest ? state.kernels->touch_nearest : state.kernels->touch_sums;
   return touch(mine.first.candidates, mine.second.candidates, reach_, mine.first.contacts,
@@ -144,8 +47,8 @@ bool Contacts<Real>::touch_pair(const State<Real>& state, NearPair pair, Scratch
 
 /// Records the contacts of `points` with `partners`, points of the pup `other`.
 template <class Real>
-auto Contacts<Real>::record(const NearPoints& points, const NearPoints& partners, int other,
-                            int worker) -> TouchRange {
+auto Contacts<Real>::record(const NearPoints<Real>& points, const NearPoints<Real>& partners,
+                            int other, int worker) -> TouchRange {
   Scratch& mine = scratch_[worker];
   const CandidateContacts<Real>& contacts = points.contacts;
   const Candidates<Real>&a = points.candidates, &b = partners.candidates;

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "engine/broad_phase.h"
+#include "engine/near.h"
 #include "engine/state.h"
 #include "engine/team.h"
 #include "pupflow/parameters.h"
@@ -86,28 +87,10 @@ class Contacts {
     int owner = -1;                // the pup of the nearest touching point
     const Touch* mover = nullptr;  // that with the nearest lower point
   };
-  /// The points of one pup that are near another, and their contacts with it.
-  struct NearPoints {
-    AlignedVector<Real> numbers;  // memory of the arrays of Real below
-    std::vector<int> point;
-    std::vector<std::uint64_t> touching;
-    Candidates<Real> candidates;
-    CandidateContacts<Real> contacts;
-    void make_room(int stride);
-  };
-  /// Memory for comparing the points of a pair.
-  struct Comparison {
-    AlignedVector<float> rough;
-    AlignedVector<int> list;
-    std::vector<std::uint8_t> met;
-    AlignedVector<Real> tiles;
-    void make_room(int stride);
-    TouchMemory<Real> memory();
-  };
   /// Working memory of one worker.
   struct Scratch {
-    NearPoints first, second;  // of the pair whose points are being compared
-    Comparison comparison;
+    NearPoints<Real> first, second;  // of the pair whose points are being compared
+    Comparison<Real> comparison;
     std::int64_t searched;       // pairs, in this step
     std::vector<Touch> touches;  // of all its pairs, one after the other: the first `used`
     int used;
@@ -129,7 +112,8 @@ class Contacts {
 
   void make_room(const State<Real>& state, int workers, std::size_t pairs);
   bool touch_pair(const State<Real>& state, NearPair pair, Scratch& mine) const;
-  TouchRange record(const NearPoints& points, const NearPoints& partners, int other, int worker);
+  TouchRange record(const NearPoints<Real>& points, const NearPoints<Real>& partners, int other,
+                    int worker);
   void sort_by_pup(const std::vector<NearPair>& pairs, State<Real>& state);
   void join(const TouchRange& range, Scratch& mine) const;
   bool move_point(int point, Scratch& mine, Real factor, Real suspect, std::size_t i,

@@ -144,11 +144,11 @@ void expect_moved(const State<Real>& before, const State<Real>& after, ContactRu
       const std::size_t a = before.row(j) + i;
       for (int axis = 0; axis < 3; ++axis) {
         const Moved<Real> want = moved(before, rule, reach, point, a, axis);
-        // Terms are below reach; a sum of n of them has at most n roundings.
-        const double slack =
-            rule == ContactRule::nearest
-                ? 0
-                : epsilon * (4.0 * point.movers * reach * reach + 4 * std::abs(want.at));
+        // A term is at most reach^2 / 4. Each of n sums may round by epsilon / 2 of n terms.
+        const double slack = rule == ContactRule::nearest
+                                 ? 0
+                                 : epsilon * (1.0 * point.movers * point.movers * reach * reach +
+                                              4 * std::abs(want.at));
         ASSERT_NEAR((*at[axis])[a], want.at, slack) << j << ' ' << i << ' ' << axis;
         ASSERT_NEAR((*velocity[axis])[a], want.velocity,
                     rule == ContactRule::nearest ? 0 : epsilon * 4.0 * (point.movers + 1) * reach)

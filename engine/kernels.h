@@ -55,6 +55,12 @@ struct TouchMemory {
   Real* tiles;        // 8 packs for each candidate of a
 };
 
+/// Matrices that `rotations` takes together.
+constexpr int kRotationLanes = 8;
+
+/// Below this share of the largest possible determinant a cloud counts as flat.
+constexpr double kFlatCloud = 1e-6;
+
 /// Arrays hold `stride` numbers, a whole number of packs (lanes.h). xyz are three such arrays. x
 /// and v must not overlap. Functions that take `points` leave the padding out. In those that take
 /// `modes`, `points` is even, mode m at point i is modes[m * stride + i], a cloud's second half
@@ -92,6 +98,10 @@ struct Kernels {
   ///   v <- v + rate d
   void (*pull_damped)(const Real* modes, int count, int points, int stride, const Real* goal,
                       Real stiffness, Real drag, Real rate, Real* x, Real* v);
+  /// Puts the nearest rotations in place of 3 x 3 matrices: element i, j of matrix m is
+  /// a[3 * j + i][m]. Returns for which matrices that could be done, one bit each: those with a
+  /// positive determinant that are far from flat. The others are undefined.
+  std::uint32_t (*rotations)(double a[9][kRotationLanes]);
   /// Sum of a[i] b[i] over all `stride` elements.
   Real (*dot)(const Real* a, const Real* b, int stride);
   /// Sets the bits of `words`, of which there are words_for(points) (point_set.h), where

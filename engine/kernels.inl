@@ -7,6 +7,7 @@
 #include "engine/modes.h"
 #include "engine/pack_loops.h"
 #include "engine/point_set.h"
+#include "engine/rotation_kernels.inl"
 
 namespace pupflow {
 namespace {
@@ -234,9 +235,9 @@ void left(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosin
 
 template <class Real>
 constexpr Kernels<Real> kKernels{
-    bounds<Real>, floor<Real>,         wall<Real>,      predict<Real>, fit<Real>,
-    pull<Real>,   pull_damped<Real>,   dot<Real>,       left<Real>,    gather<Real>,
-    box<Real>,    touch_nearest<Real>, touch_sums<Real>};
+    bounds<Real>, floor<Real>,       wall<Real>,          predict<Real>,   fit<Real>,
+    pull<Real>,   pull_damped<Real>, rotations,           dot<Real>,       left<Real>,
+    gather<Real>, box<Real>,         touch_nearest<Real>, touch_sums<Real>};
 
 }  // namespace
 

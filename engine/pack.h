@@ -102,6 +102,10 @@ struct Pack {
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] *= b.part[i];
     return a;
   }
+  PUPFLOW_INLINE friend Pack operator/(Pack a, const Pack& b) {
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] /= b.part[i];
+    return a;
+  }
   PUPFLOW_INLINE Pack& operator+=(const Pack& b) { return *this = *this + b; }
 
   PUPFLOW_INLINE friend Pack min(Pack a, const Pack& b) {  // b where a is not less

@@ -1,10 +1,15 @@
-// Stage 4 of a step: homeothermotaxis, steering towards the side that feels better.
+// Homeothermotaxis: steering towards the side that feels better.
 //
 // T_L and T_R are the means of T_c over the points on the left (counter-clockwise of the heading,
-// seen from above) and on the right. S = 1/(1 + exp(-sigma T (T_p - T_b))) for each, and the turn
-// is atan(v (S_L - S_R)/(S_L + S_R)). heading = course: theta turns at that rate, theta <- theta +
-// h turn. heading = body: sides are taken about the body axis psi, and theta = psi + turn. Wilson
-// 2017.
+// seen from above) and on the right.
+//
+//   S    = 1 / (1 + exp(-sigma T (T_p - T_b)))        for T = T_L and T = T_R
+//   turn = atan(v (S_L - S_R) / (S_L + S_R))
+//
+//   heading = course:  theta <- theta + h turn, sides taken about theta
+//   heading = body:    theta = psi + turn, sides taken about the body's axis psi
+//
+// Wilson 2017.
 #pragma once
 
 #include "engine/cloud.h"

@@ -1,6 +1,7 @@
 #include "engine/contact.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -212,12 +213,15 @@ Status Contacts<Real>::apply(const Params& params, double factor, State<Real>& s
   if (records_.pairs) std::fill(touched, touched + state.points, -1);
   bool sound = true;
   int touching = 0;
-  for_each_point(mine.bits.data(), words_for(state.points), [&](int point) {
-    ++touching;
-    if (records_.owners) touched[point] = mine.contacts[point].owner;
-    sound &= move_point(point, mine, real_factor, suspect, row + point, state);
-    mine.contacts[point] = {};
-  });
+  for (int word = 0; word < words_for(state.points); ++word) {
+    touching += std::popcount(mine.bits[word]);
+    for (std::uint64_t bits = mine.bits[word]; bits != 0; bits &= bits - 1) {
+      const int point = 64 * word + std::countr_zero(bits);
+      if (records_.owners) touched[point] = mine.contacts[point].owner;
+      sound &= move_point(point, mine, real_factor, suspect, row + point, state);
+      mine.contacts[point] = {};
+    }
+  }
   if (records_.exposure) {
     std::copy(mine.bits.begin(), mine.bits.end(), state.touching_points.data() + state.set(pup));
     state.exposed[pup] = static_cast<double>(state.points - touching) / state.points;

@@ -176,8 +176,8 @@ struct Pack {
 
   template <class Vector, class Operation>
   PUPFLOW_INLINE static Real fold_halves(Vector v, Operation operation) {
-    constexpr int kCount = sizeof(Vector) / sizeof(Real);
-    if constexpr (kCount == 2) {
+    constexpr int kLeft = sizeof(Vector) / sizeof(Real);
+    if constexpr (kLeft == 2) {
       return operation(v[0], v[1]);
     } else {
       typedef Real Half __attribute__((vector_size(sizeof(Vector) / 2)));

@@ -85,10 +85,10 @@ void predict(Real h, Real gain, int points, Real* x, Real* v) {
   });
 }
 
-/// Sums of the `Count` modes `rows` times one coordinate x. Point half + i mirrors point i (cloud.h),
-/// so one pass over the first half reads both. Even modes have the same value at mirrored points and
-/// take the sum of both; odd modes have opposite values and take the difference. Several modes at a
-/// time share the loads. Their number changes no bit of any sum.
+/// Sums of the `Count` modes `rows` times one coordinate x. Point half + i mirrors point i
+/// (cloud.h), so one pass over the first half reads both. Even modes have the same value at
+/// mirrored points and take the sum of both; odd modes have opposite values and take the
+/// difference. Several modes at a time share the loads. Their number changes no bit of any sum.
 template <int Count, bool Odd, class Real>
 void fit_some(const Real* const* rows, int half, const Real* x, Real* sums) {
   using P = Pack<Real>;

@@ -268,39 +268,5 @@ struct Pack {
   }
 };
 
-/// All lanes of a pack of `Count` numbers, one bit each.
-template <int Count>
-constexpr std::uint32_t kAllLanes = (std::uint32_t{1} << Count) - 1;
-
-/// Two halves of a register, side by side.
-template <class Native, class Half>
-PUPFLOW_INLINE inline Native joined(Half low, Half high) {
-  if constexpr (sizeof(Half) == 32) {
-    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  } else if constexpr (sizeof(Half) == 16) {
-    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-  } else {
-    return __builtin_shufflevector(low, high, 0, 1, 2, 3);
-  }
-}
-
-/// The same numbers as floats.
-template <int Bytes>
-PUPFLOW_INLINE inline Pack<float, Bytes> rounded(const Pack<float, Bytes>& numbers) {
-  return numbers;
-}
-template <int Bytes>
-PUPFLOW_INLINE inline Pack<float, Bytes / 2> rounded(const Pack<double, Bytes>& numbers) {
-  using To = Pack<float, Bytes / 2>;
-  typedef float Half __attribute__((vector_size(kNativeBytes / 2)));
-  To to;
-  PUPFLOW_UNROLL for (int i = 0; i < To::kParts; ++i) {
-    to.part[i] =
-        joined<typename To::Native>(__builtin_convertvector(numbers.part[2 * i], Half),
-                                    __builtin_convertvector(numbers.part[2 * i + 1], Half));
-  }
-  return to;
-}
-
 }  // namespace
 }  // namespace pupflow

@@ -134,8 +134,10 @@ Floors TightLitter<Real>::measure(const TightKernels<Real>& kernels) {
       keep(kernels.bounds(p, low, high));
     });
   });
+  std::vector<Rotation> rotations(linear_.size());
   floors.rotations = median_time([&] {
-    for (const Eigen::Matrix3d& linear : linear_) keep(nearest_rotation(linear));
+    nearest_rotations(linear_, rotations.data());
+    keep(rotations);
   });
   const auto reach = static_cast<Real>(2 * params_.point_radius);
   floors.distances = median_time([&] {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/invariants.h"
+#include "engine/point_set.h"
 
 namespace pupflow {
 namespace {
@@ -50,13 +51,13 @@ void apply_boundaries(const Params& params, State<Real>& state, int pup) {
   const Real far_x = std::max(std::abs(box.low[0]), std::abs(box.high[0]));
   const Real far_y = std::max(std::abs(box.low[1]), std::abs(box.high[1]));
   if (!reaches_wall(far_x, far_y, r, arena * arena)) return;
-  bool moved = false;
-  for (std::size_t i = row; i < row + state.points; ++i) {
-    if (!reaches_wall(state.x[i], state.y[i], r, arena * arena)) continue;
-    push_from_wall(h, i, state);
-    moved = true;
-  }
-  if (moved) update_bounds(state, pup);
+  std::uint64_t reaching[kMaxPointWords];
+  const bool any = state.kernels->wall(state.x.data() + row, state.y.data() + row, state.points, r,
+                                       arena * arena, reaching);
+  if (!any) return;
+  for_each_point(reaching, words_for(state.points),
+                 [&](int i) { push_from_wall(h, row + i, state); });
+  update_bounds(state, pup);
 }
 
 template void apply_boundaries<float>(const Params&, State<float>&, int);

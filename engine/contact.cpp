@@ -1,63 +1,17 @@
 #include "engine/contact.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "engine/health.h"
 #include "engine/invariants.h"
-#include "engine/lanes.h"
 #include "engine/point_set.h"
 
 namespace pupflow {
-namespace {
-
-/// radius + reach, plus more than the rounding errors of a comparison with it: no contact is lost.
-template <class Real>
-Real search_radius(Real radius, Real reach) {
-  return (radius + reach) * (1 + 32 * std::numeric_limits<Real>::epsilon());
-}
-
-/// value + margin, moved further in the direction of `margin` by more than its rounding error.
-template <class Real>
-Real widened(Real value, Real margin) {
-  const Real rounding = 4 * std::numeric_limits<Real>::epsilon() * std::abs(value);
-  return value + margin + (margin < 0 ? -rounding : rounding);
-}
-
-template <class Real>
-bool balls_meet(const Bounds<Real>& a, const Bounds<Real>& b, Real reach) {
-  const Real dx = a.centre[0] - b.centre[0], dy = a.centre[1] - b.centre[1],
-             dz = a.centre[2] - b.centre[2];
-  const Real limit = search_radius(a.radius + b.radius, reach);
-  return dx * dx + dy * dy + dz * dz < limit * limit;
-}
-
-}  // namespace
-
-template <class Real>
-void Contacts<Real>::NearPoints::make_room(int stride) {
-  const std::size_t room = stride + kLanes<Real>;
-  point.resize(room + kPackBytes / sizeof(int));
-  touching.resize(words_for(static_cast<int>(room)));
-  numbers.resize(13 * room);
-  // Pointers are set each time: in a copied simulation they would still point into the original.
-  Real* next = numbers.data();
-  const auto take = [&] {
-    next += room;
-    return next - room;
-  };
-  candidates = {take(), take(), take(), point.data(), 0};
-  contacts.nearest = take();
-  contacts.touching = touching.data();
-  contacts.lower = take();
-  contacts.partner = take();
-  for (Real*& row : contacts.displacement) row = take();
-  for (Real*& row : contacts.velocity) row = take();
-  contacts.uppers = take();
-}
 
 template <class Real>
 void Contacts<Real>::make_room(const State<Real>& state, int workers, std::size_t pairs) {
@@ -66,9 +20,13 @@ void Contacts<Real>::make_room(const State<Real>& state, int workers, std::size_
   for (Scratch& scratch : scratch_) {
     scratch.first.make_room(state.stride);
     scratch.second.make_room(state.stride);
-    scratch.touches.clear();
+    scratch.comparison.make_room(state.stride);
+    scratch.used = 0;
+    scratch.sums.clear();
     scratch.searched = 0;
     scratch.touches.reserve(usual);
+    if (rule_ != ContactRule::nearest) scratch.sums.reserve(usual);
+    scratch.contacts.resize(state.points);
     scratch.total.resize(state.points);
     scratch.bits.resize(words_for(state.points));
   }
@@ -79,76 +37,47 @@ void Contacts<Real>::make_room(const State<Real>& state, int workers, std::size_
 
 template <class Real>
 bool Contacts<Real>::touch_pair(const State<Real>& state, NearPair pair, Scratch& mine) const {
-  const Bounds<Real>& a = state.bounds[pair.first];
-  const Bounds<Real>& b = state.bounds[pair.second];
-  if (!balls_meet(a, b, reach_)) return false;
+  if (!balls_meet(state.bounds[pair.first], state.bounds[pair.second], reach_)) return false;
   ++mine.searched;
-  // First the points of the first pup that are near the other's bounds, then the points of the
-  // second that are near the box round these.
-  const Real margin = search_radius(Real(0), reach_);
-  const auto gather = [&](int pup, const Bounds<Real>& ball, const Real low[3], const Real high[3],
-                          NearPoints& near) {
-    const std::size_t row = state.row(pup);
-    const Real* xyz[3] = {state.x.data() + row, state.y.data() + row, state.z.data() + row};
-    Region<Real> region{{}, search_radius(ball.radius, reach_), {}, {}};
-    for (int axis = 0; axis < 3; ++axis) {
-      region.centre[axis] = ball.centre[axis];
-      region.low[axis] = widened(low[axis], -margin);
-      region.high[axis] = widened(high[axis], margin);
-    }
-    state.kernels->gather(xyz, state.points, region, near.candidates);
-    return near.candidates.count > 0;
-  };
-  if (!gather(pair.first, b, b.low, b.high, mine.first)) return false;
-  Real low[3], high[3];
-  state.kernels->box(mine.first.candidates, low, high);
-  if (!gather(pair.second, a, low, high, mine.second)) return false;
+  if (!find_near_points(state, pair, reach_, mine.first, mine.second)) return false;
   const auto touch =
       rule_ == ContactRule::nearest ? state.kernels->touch_nearest : state.kernels->touch_sums;
   return touch(mine.first.candidates, mine.second.candidates, reach_, mine.first.contacts,
-               mine.second.contacts);
+               mine.second.contacts, mine.comparison.memory());
 }
 
-/// The contacts of candidate `i` of `points` with the candidates of `partners`.
+/// Records the contacts of `points` with `partners`, points of the pup `other`.
 template <class Real>
-auto Contacts<Real>::touch_of(const NearPoints& points, const NearPoints& partners, int i) const
-    -> Touch {
+auto Contacts<Real>::record(const NearPoints<Real>& points, const NearPoints<Real>& partners,
+                            int other, int worker) -> TouchRange {
+  Scratch& mine = scratch_[worker];
   const CandidateContacts<Real>& contacts = points.contacts;
-  Touch touch;
-  if (rule_ == ContactRule::nearest) {
-    touch.lower = contacts.lower[i];
-    if (touch.lower < kInfinity) {
-      const auto partner = static_cast<int>(contacts.partner[i]);
-      const Candidates<Real>&a = points.candidates, &b = partners.candidates;
-      const Real e[3] = {a.x[i] - b.x[partner], a.y[i] - b.y[partner], a.z[i] - b.z[partner]};
-      const Real gap = reach_ - std::sqrt(touch.lower);
+  const Candidates<Real>&a = points.candidates, &b = partners.candidates;
+  const int begin = mine.used;
+  if (static_cast<int>(mine.touches.size()) < begin + a.count) mine.touches.resize(begin + a.count);
+  Touch* touch = mine.touches.data() + begin;
+  for_each_point(contacts.touching, words_for(a.count), [&](int i) {
+    touch->point = a.point[i];
+    touch->nearest = contacts.nearest[i];
+    if (rule_ == ContactRule::nearest) {
+      const bool moves = contacts.lower[i] < kInfinity;
+      const int partner = moves ? static_cast<int>(contacts.partner[i]) : 0;
+      touch->lower = contacts.lower[i];
+      touch->apart[0] = a.x[i] - b.x[partner];
+      touch->apart[1] = a.y[i] - b.y[partner];
+      touch->apart[2] = a.z[i] - b.z[partner];
+    } else {
+      Sums& sums = mine.sums.emplace_back();
+      sums.movers = contacts.uppers[i];
       for (int axis = 0; axis < 3; ++axis) {
-        touch.displacement[axis] = e[axis] * gap;
-        touch.velocity[axis] = -e[axis];
+        sums.displacement[axis] = contacts.displacement[axis][i];
+        sums.velocity[axis] = contacts.velocity[axis][i];
       }
-      touch.movers = 1;
     }
-  } else {
-    for (int axis = 0; axis < 3; ++axis) {
-      touch.displacement[axis] = contacts.displacement[axis][i];
-      touch.velocity[axis] = contacts.velocity[axis][i];
-    }
-    touch.movers = contacts.uppers[i];
-  }
-  touch.nearest = contacts.nearest[i];
-  touch.point = points.candidates.point[i];
-  return touch;
-}
-
-template <class Real>
-auto Contacts<Real>::record(const NearPoints& points, const NearPoints& partners, int other,
-                            int worker, std::vector<Touch>& touches) const -> TouchRange {
-  const int begin = static_cast<int>(touches.size());
-  for_each_point(points.contacts.touching, words_for(points.candidates.count), [&](int i) {
-    touches.push_back(touch_of(points, partners, i));
-    touches.back().other = other;
+    ++touch;
   });
-  return {worker, begin, static_cast<int>(touches.size())};
+  mine.used = static_cast<int>(touch - mine.touches.data());
+  return {worker, begin, mine.used, other};
 }
 
 template <class Real>
@@ -187,10 +116,8 @@ void Contacts<Real>::find(const Params& params, ContactRecords records, State<Re
     const Share share = share_of(static_cast<int>(pairs.size()), worker, workers);
     for (int i = share.begin; i < share.end; ++i) {
       if (!touch_pair(state, pairs[i], mine)) continue;
-      pair_touches_[i].first =
-          record(mine.first, mine.second, pairs[i].second, worker, mine.touches);
-      pair_touches_[i].second =
-          record(mine.second, mine.first, pairs[i].first, worker, mine.touches);
+      pair_touches_[i].first = record(mine.first, mine.second, pairs[i].second, worker);
+      pair_touches_[i].second = record(mine.second, mine.first, pairs[i].first, worker);
     }
   });
   sort_by_pup(pairs, state);
@@ -203,49 +130,72 @@ std::int64_t Contacts<Real>::searched_pairs() const {
   return sum;
 }
 
+/// Adds the contacts with one other pup to those with the pups before it.
 template <class Real>
-void Contacts<Real>::add_up(std::span<const Touch> touches, Scratch& mine) const {
-  for (const Touch& touch : touches) {
-    assert(touch.point >= 0 && touch.point < static_cast<int>(mine.total.size()));
-    mine.bits[touch.point / 64] |= std::uint64_t{1} << (touch.point % 64);
-    Touch& total = mine.total[touch.point];
-    if (records_.owners) {
-      // Pairs are sorted, so the first of equal distances is that of the lower pup.
-      const bool nearer = touch.nearest < total.nearest;
-      total.nearest = nearer ? touch.nearest : total.nearest;
-      total.other = nearer ? touch.other : total.other;
+void Contacts<Real>::join(const TouchRange& range, Scratch& mine) const {
+  const Scratch& source = scratch_[range.worker];
+  std::uint64_t bits = 0;  // of a word: points come in order
+  int word = 0;
+  for (int i = range.begin; i < range.end; ++i) {
+    const Touch& touch = source.touches[i];
+    assert(touch.point >= 0 && touch.point < static_cast<int>(mine.contacts.size()));
+    if (touch.point / 64 != word) {
+      mine.bits[word] |= bits;
+      word = touch.point / 64;
+      bits = 0;
     }
-    if (rule_ == ContactRule::nearest) {
-      if (!(touch.lower < total.lower)) continue;
-      std::copy(touch.displacement, touch.displacement + 3, total.displacement);
-      std::copy(touch.velocity, touch.velocity + 3, total.velocity);
-      total.lower = touch.lower;
-      total.movers = 1;
-    } else {
-      for (int axis = 0; axis < 3; ++axis) {
-        total.displacement[axis] += touch.displacement[axis];
-        total.velocity[axis] += touch.velocity[axis];
-      }
-      total.movers += touch.movers;
+    bits |= std::uint64_t{1} << (touch.point % 64);
+    Contact& contact = mine.contacts[touch.point];
+    // Pairs are sorted, so the first of equal distances is that of the lower pup.
+    const bool nearer = touch.nearest < contact.nearest, lower = touch.lower < contact.lower;
+    contact.nearest = nearer ? touch.nearest : contact.nearest;
+    contact.owner = nearer ? range.other : contact.owner;
+    contact.lower = lower ? touch.lower : contact.lower;
+    contact.mover = lower ? &touch : contact.mover;
+  }
+  mine.bits[word] |= bits;
+  if (rule_ == ContactRule::nearest) return;
+  for (int i = range.begin; i < range.end; ++i) {
+    const Sums& sums = source.sums[i];
+    Sums& total = mine.total[source.touches[i].point];
+    for (int axis = 0; axis < 3; ++axis) {
+      total.displacement[axis] += sums.displacement[axis];
+      total.velocity[axis] += sums.velocity[axis];
     }
+    total.movers += sums.movers;
   }
 }
 
-/// Moves point `i` by its contacts. False when the displacement is `suspect` or more, or not
-/// finite.
+/// Moves a point, number `i` of the litter, by its contacts, if any do. False when the displacement
+/// is `suspect` or more, or not finite.
 template <class Real>
-bool Contacts<Real>::move_point(const Touch& touch, Real factor, Real suspect, std::size_t i,
+bool Contacts<Real>::move_point(int point, Scratch& mine, Real factor, Real suspect, std::size_t i,
                                 State<Real>& state) const {
-  const Real mean = 1 / touch.movers;
-  if (rule_ == ContactRule::mean) factor *= mean;
-  const Real d[3] = {factor * touch.displacement[0], factor * touch.displacement[1],
-                     factor * touch.displacement[2]};
+  Real d[3], v[3];
+  if (rule_ == ContactRule::nearest) {
+    const Touch* const mover = mine.contacts[point].mover;
+    if (mover == nullptr) return true;
+    const Real gap = reach_ - std::sqrt(mover->lower);
+    for (int axis = 0; axis < 3; ++axis) {
+      d[axis] = factor * (mover->apart[axis] * gap);
+      v[axis] = -mover->apart[axis];
+    }
+  } else {
+    const Sums total = std::exchange(mine.total[point], {});
+    if (total.movers == 0) return true;
+    const Real mean = 1 / total.movers;
+    if (rule_ == ContactRule::mean) factor *= mean;
+    for (int axis = 0; axis < 3; ++axis) {
+      d[axis] = factor * total.displacement[axis];
+      v[axis] = total.velocity[axis] * mean;
+    }
+  }
   state.x[i] += d[0];
   state.y[i] += d[1];
   state.z[i] += d[2];
-  state.vx[i] = touch.velocity[0] * mean;
-  state.vy[i] = touch.velocity[1] * mean;
-  state.vz[i] = touch.velocity[2] * mean;
+  state.vx[i] = v[0];
+  state.vy[i] = v[1];
+  state.vz[i] = v[2];
   return std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]) < suspect;
 }
 
@@ -257,23 +207,21 @@ Status Contacts<Real>::apply(const Params& params, double factor, State<Real>& s
   const auto suspect = static_cast<Real>(kSuspectRadii * params.pup_radius);
   const auto real_factor = static_cast<Real>(factor);
   Scratch& mine = scratch_[worker];
-  for (int i = pup == 0 ? 0 : ends_[pup - 1]; i < ends_[pup]; ++i) {
-    const TouchRange& range = ranges_[i];
-    const std::vector<Touch>& touches = scratch_[range.worker].touches;
-    add_up({touches.data() + range.begin, touches.data() + range.end}, mine);
-  }
+  for (int i = pup == 0 ? 0 : ends_[pup - 1]; i < ends_[pup]; ++i) join(ranges_[i], mine);
   const std::size_t row = state.row(pup);
   int* touched = state.touched.data() + state.flat(pup);
   if (records_.pairs) std::fill(touched, touched + state.points, -1);
   bool sound = true;
   int touching = 0;
-  for_each_point(mine.bits.data(), words_for(state.points), [&](int point) {
-    Touch& touch = mine.total[point];
-    ++touching;
-    if (records_.owners) touched[point] = touch.other;
-    if (touch.movers > 0) sound &= move_point(touch, real_factor, suspect, row + point, state);
-    touch = Touch{};
-  });
+  for (int word = 0; word < words_for(state.points); ++word) {
+    touching += std::popcount(mine.bits[word]);
+    for (std::uint64_t bits = mine.bits[word]; bits != 0; bits &= bits - 1) {
+      const int point = 64 * word + std::countr_zero(bits);
+      if (records_.owners) touched[point] = mine.contacts[point].owner;
+      sound &= move_point(point, mine, real_factor, suspect, row + point, state);
+      mine.contacts[point] = {};
+    }
+  }
   if (records_.exposure) {
     std::copy(mine.bits.begin(), mine.bits.end(), state.touching_points.data() + state.set(pup));
     state.exposed[pup] = static_cast<double>(state.points - touching) / state.points;

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "engine/broad_phase.h"
+#include "engine/near.h"
 #include "engine/state.h"
 #include "engine/team.h"
 #include "pupflow/parameters.h"
@@ -66,37 +67,43 @@ class Contacts {
  private:
   static constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 
-  /// The contacts of one point with one other pup, or with all others.
+  /// The contacts of one point with one other pup.
   struct Touch {
-    // Over those that move the point: its nearest lower point, or all its touching lower points.
+    int point;
+    Real nearest;  // squared distance of the nearest touching point
+    // With ContactRule::nearest:
+    Real lower;     // squared distance of the nearest touching lower point; infinite without one
+    Real apart[3];  // p_a - p_b, b being that point
+  };
+  /// With the other rules also, of all its touching lower points:
+  struct Sums {
+    Real movers = 0;                   // how many
     Real displacement[3] = {0, 0, 0};  // sum of (p_a - p_b)(2 r - d)
     Real velocity[3] = {0, 0, 0};      // sum of (p_b - p_a)
-    Real movers = 0;                   // number of terms in both
-    Real lower = kInfinity;  // squared distance of the nearest lower one; ContactRule::nearest only
-    Real nearest = kInfinity;  // squared distance of the nearest touching point
-    int point = 0;
-    int other = -1;  // the pup of that nearest point
   };
-  /// The points of one pup that are near another, and their contacts with it.
-  struct NearPoints {
-    AlignedVector<Real> numbers;  // memory of the arrays of Real below
-    std::vector<int> point;
-    std::vector<std::uint64_t> touching;
-    Candidates<Real> candidates;
-    CandidateContacts<Real> contacts;
-    void make_room(int stride);
+  /// All contacts of one point.
+  struct Contact {
+    Real nearest = kInfinity, lower = kInfinity;
+    int owner = -1;                // the pup of the nearest touching point
+    const Touch* mover = nullptr;  // that with the nearest lower point
   };
   /// Working memory of one worker.
   struct Scratch {
-    NearPoints first, second;         // of the pair whose points are being compared
-    std::int64_t searched;            // pairs, in this step
-    std::vector<Touch> touches;       // of all its pairs, one after the other
-    std::vector<Touch> total;         // by point, of the pup that is being moved
-    std::vector<std::uint64_t> bits;  // the points of that pup that have a contact
+    NearPoints<Real> first, second;  // of the pair whose points are being compared
+    Comparison<Real> comparison;
+    std::int64_t searched;       // pairs, in this step
+    std::vector<Touch> touches;  // of all its pairs, one after the other: the first `used`
+    int used;
+    std::vector<Sums> sums;  // of the same
+    // Of the pup that is being moved:
+    std::vector<Contact> contacts;    // by point
+    std::vector<Sums> total;          // by point
+    std::vector<std::uint64_t> bits;  // the points that have a contact
   };
   /// The touches begin ... end - 1 of one worker: those of one pup with another.
   struct TouchRange {
     int worker, begin, end;
+    int other;  // the other pup
   };
   /// The touches of both pups of a near pair. Both are empty when the pups do not touch.
   struct PairTouches {
@@ -105,12 +112,11 @@ class Contacts {
 
   void make_room(const State<Real>& state, int workers, std::size_t pairs);
   bool touch_pair(const State<Real>& state, NearPair pair, Scratch& mine) const;
-  Touch touch_of(const NearPoints& points, const NearPoints& partners, int i) const;
-  TouchRange record(const NearPoints& points, const NearPoints& partners, int other, int worker,
-                    std::vector<Touch>& touches) const;
+  TouchRange record(const NearPoints<Real>& points, const NearPoints<Real>& partners, int other,
+                    int worker);
   void sort_by_pup(const std::vector<NearPair>& pairs, State<Real>& state);
-  void add_up(std::span<const Touch> touches, Scratch& mine) const;
-  bool move_point(const Touch& touch, Real factor, Real suspect, std::size_t i,
+  void join(const TouchRange& range, Scratch& mine) const;
+  bool move_point(int point, Scratch& mine, Real factor, Real suspect, std::size_t i,
                   State<Real>& state) const;
 
   ContactRule rule_ = ContactRule::nearest;  // of this step

@@ -27,7 +27,8 @@ struct Supported {
 Supported find_supported() {
   Supported supported;
 #if defined(PUPFLOW_X86_KERNELS)
-  if (__builtin_cpu_supports("avx2")) supported.sets[supported.count++] = InstructionSet::avx2;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    supported.sets[supported.count++] = InstructionSet::avx2;
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) {
     supported.sets[supported.count++] = InstructionSet::avx512;
   }

@@ -19,7 +19,7 @@ struct Region {
 /// Points copied side by side for a search: coordinates, and where they came from.
 template <class Real>
 struct Candidates {
-  Real *x, *y, *z;  // with room for one pack behind the last point
+  Real *x, *y, *z;  // with room for 16 numbers behind the last point
   int* point;       // with room for 64 bytes behind the last
   int count;
 };
@@ -29,6 +29,7 @@ template <class Real>
 struct CandidateContacts {
   Real* nearest;  // squared distance to the nearest touching point; infinite without contact
   std::uint64_t* touching;  // bit i is set where candidate i has a contact
+  // Each row has room for 16 numbers behind the last candidate.
   // By touch_nearest:
   Real* lower;    // squared distance to the nearest touching point below; infinite where none is
   Real* partner;  // index of that point among the other pup's candidates: a whole number
@@ -37,6 +38,28 @@ struct CandidateContacts {
   Real* velocity[3];      // sum of (p_b - p_a) over the same contacts
   Real* uppers;           // number of those contacts
 };
+
+/// Candidates, rounded: relative to some origin. Room as in Candidates.
+struct RoughPoints {
+  float* xyz[3];
+  float* half_square;  // half of x^2 + y^2 + z^2
+  float (*beside)[4];  // x, y, z and a limit, for each point
+};
+
+/// Working memory for finding what touches.
+template <class Real>
+struct TouchMemory {
+  RoughPoints a, b;
+  int *list, *kept;   // candidates of a, and 64 bytes
+  std::uint8_t* met;  // one for each candidate of a
+  Real* tiles;        // 8 packs for each candidate of a
+};
+
+/// Matrices that `rotations` takes together.
+constexpr int kRotationLanes = 8;
+
+/// Below this share of the largest possible determinant a cloud counts as flat.
+constexpr double kFlatCloud = 1e-6;
 
 /// Arrays hold `stride` numbers, a whole number of packs (lanes.h). xyz are three such arrays. x
 /// and v must not overlap. Functions that take `points` leave the padding out. In those that take
@@ -52,6 +75,11 @@ struct Kernels {
   ///   v_z <- |v_z|
   ///   z   <- r
   void (*floor)(Real r, int stride, Real* z, Real* vz);
+  /// Sets the bits of `words`, of which there are words_for(points) (point_set.h), where
+  ///   (|x| + r)^2 + (|y| + r)^2 > arena_squared
+  /// and clears the others. Returns whether any is set.
+  bool (*wall)(const Real* x, const Real* y, int points, Real r, Real arena_squared,
+               std::uint64_t* words);
   /// v <- v + gain
   /// x <- x + h v
   void (*predict)(Real h, Real gain, int points, Real* x, Real* v);
@@ -70,6 +98,10 @@ struct Kernels {
   ///   v <- v + rate d
   void (*pull_damped)(const Real* modes, int count, int points, int stride, const Real* goal,
                       Real stiffness, Real drag, Real rate, Real* x, Real* v);
+  /// Puts the nearest rotations in place of 3 x 3 matrices: element i, j of matrix m is
+  /// a[3 * j + i][m]. Returns for which matrices that could be done, one bit each: those with a
+  /// positive determinant that are far from flat. The others are undefined.
+  std::uint32_t (*rotations)(double a[9][kRotationLanes]);
   /// Sum of a[i] b[i] over all `stride` elements.
   Real (*dot)(const Real* a, const Real* b, int stride);
   /// Sets the bits of `words`, of which there are words_for(points) (point_set.h), where
@@ -90,7 +122,8 @@ struct Kernels {
   /// touch_sums the sums over all touching lower points.
   using FindTouching = bool(const Candidates<Real>& a, const Candidates<Real>& b, Real reach,
                             const CandidateContacts<Real>& contacts_a,
-                            const CandidateContacts<Real>& contacts_b);
+                            const CandidateContacts<Real>& contacts_b,
+                            const TouchMemory<Real>& memory);
   FindTouching* touch_nearest;
   FindTouching* touch_sums;
 };

@@ -7,6 +7,7 @@
 #include "engine/modes.h"
 #include "engine/pack_loops.h"
 #include "engine/point_set.h"
+#include "engine/rotation_kernels.inl"
 
 namespace pupflow {
 namespace {
@@ -55,6 +56,23 @@ void floor(Real r, int stride, Real* z, Real* vz) {
 }
 
 template <class Real>
+bool wall(const Real* x, const Real* y, int points, Real r, Real arena_squared,
+          std::uint64_t* words) {
+  using P = Pack<Real>;
+  const P radius = P::broadcast(r), limit = P::broadcast(arena_squared);
+  for (int w = 0; w < words_for(points); ++w) words[w] = 0;
+  std::uint32_t any = 0;
+  for (int i = 0; i < points; i += kLanes<Real>) {
+    const P px = P::load(x + i), py = P::load(y + i);
+    const P dx = max(px, P::zero() - px) + radius, dy = max(py, P::zero() - py) + radius;
+    const std::uint32_t bits = less_bits(limit, dx * dx + dy * dy) & point_lanes<Real>(i, points);
+    set_bits(words, i, bits);
+    any |= bits;
+  }
+  return any != 0;
+}
+
+template <class Real>
 void predict(Real h, Real gain, int points, Real* x, Real* v) {
   assert(points > 0 && x != v);
   using P = Pack<Real>;
@@ -67,44 +85,34 @@ void predict(Real h, Real gain, int points, Real* x, Real* v) {
   });
 }
 
-/// Sums of the `Count` modes `rows` times position. Point half + i mirrors point i (cloud.h), so
-/// one pass over the first half reads both. Even modes have the same value at mirrored points and
-/// take the sum of both; odd modes have opposite values and take the difference. Several modes at a
-/// time share the loads. Their number changes no bit of any sum.
+/// Sums of the `Count` modes `rows` times one coordinate x. Point half + i mirrors point i
+/// (cloud.h), so one pass over the first half reads both. Even modes have the same value at
+/// mirrored points and take the sum of both; odd modes have opposite values and take the
+/// difference. Several modes at a time share the loads. Their number changes no bit of any sum.
 template <int Count, bool Odd, class Real>
-void fit_some(const Real* const* rows, int half, const Real* const xyz[3], Real* const* sums) {
+void fit_some(const Real* const* rows, int half, const Real* x, Real* sums) {
   using P = Pack<Real>;
-  const P zero = P::zero();
-  P sum[Count][3];
-  for (auto& mode : sum) mode[0] = mode[1] = mode[2] = zero;
-  const P origin[3] = {P::broadcast(xyz[0][0]), P::broadcast(xyz[1][0]), P::broadcast(xyz[2][0])};
+  const P zero = P::zero(), origin = P::broadcast(x[0]);
+  P sum[Count];
+  for (P& mode : sum) mode = zero;
   for_packs<Real>(half, [&](int i, auto whole) PUPFLOW_INLINE {
-    P value[3];
-    PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) {
-      const P first = P::load(xyz[axis] + i), second = P::load(xyz[axis] + half + i);
-      value[axis] = Odd ? first - second : (first - origin[axis]) + (second - origin[axis]);
-      if (!whole) value[axis] = first_lanes(half - i, value[axis], zero);
-    }
-    PUPFLOW_UNROLL for (int m = 0; m < Count; ++m) {
-      const P mode = P::load(rows[m] + i);
-      PUPFLOW_UNROLL for (int axis = 0; axis < 3; ++axis) sum[m][axis] += mode * value[axis];
-    }
+    const P first = P::load(x + i), second = P::load(x + half + i);
+    P value = Odd ? first - second : (first - origin) + (second - origin);
+    if (!whole) value = first_lanes(half - i, value, zero);
+    PUPFLOW_UNROLL for (int m = 0; m < Count; ++m) sum[m] += P::load(rows[m] + i) * value;
   });
-  for (int m = 0; m < Count; ++m) {
-    for (int axis = 0; axis < 3; ++axis) sums[m][axis] = sum[m][axis].sum();
-  }
+  for (int m = 0; m < Count; ++m) sums[m] = sum[m].sum();
 }
 
-/// All `count` modes of one parity.
+/// All `count` modes of one parity, in threes.
 template <bool Odd, class Real>
-void fit_parity(const Real* const* rows, int count, int half, const Real* const xyz[3],
-                Real* const* sums) {
-  constexpr int kTogether = kNativeBytes == 64 ? 3 : kNativeBytes == 32 ? 2 : 1;  // by registers
+void fit_parity(const Real* const* rows, int count, int half, const Real* x, Real* sums) {
   int m = 0;
-  for (; m + kTogether <= count; m += kTogether) {
-    fit_some<kTogether, Odd>(rows + m, half, xyz, sums + m);
+  for (; kNativeBytes >= 32 && m + 6 <= count; m += 6) {  // with room for their sums in registers
+    fit_some<6, Odd>(rows + m, half, x, sums + m);
   }
-  for (; m < count; ++m) fit_some<1, Odd>(rows + m, half, xyz, sums + m);
+  for (; m + 3 <= count; m += 3) fit_some<3, Odd>(rows + m, half, x, sums + m);
+  for (; m < count; ++m) fit_some<1, Odd>(rows + m, half, x, sums + m);
 }
 
 template <class Real>
@@ -112,20 +120,20 @@ void fit(const Real* modes, int count, int points, int stride, const Real* const
          Real sums[][3]) {
   assert(count == mode_count(false) || count == mode_count(true));
   assert(points > 0 && points % 2 == 0 && stride >= stride_for<Real>(points));
-  const Real* row[kModes];
-  for (int m = 0; m < count; ++m) row[m] = modes + m * stride;
   const int half = points / 2;
-  const Real* const odd[] = {row[1], row[2], row[3]};
-  Real* const odd_sums[] = {sums[1], sums[2], sums[3]};
-  fit_parity<true>(odd, kLinearModes, half, xyz, odd_sums);
-  const Real* even[1 + kQuadraticModes] = {row[kMeanMode]};
-  Real* even_sums[1 + kQuadraticModes] = {sums[kMeanMode]};
-  int evens = 1;
-  for (int m = 1 + kLinearModes; m < count; ++m, ++evens) {
-    even[evens] = row[m];
-    even_sums[evens] = sums[m];
+  const Real* odd[kLinearModes];
+  for (int m = 0; m < kLinearModes; ++m) odd[m] = modes + (1 + m) * stride;
+  const Real* even[1 + kQuadraticModes] = {modes};  // the mean, then the quadratic modes
+  const int quadratic = count - 1 - kLinearModes;
+  for (int m = 0; m < quadratic; ++m) even[1 + m] = modes + (1 + kLinearModes + m) * stride;
+  for (int axis = 0; axis < 3; ++axis) {
+    Real of_odd[kLinearModes], of_even[1 + kQuadraticModes];
+    fit_parity<true>(odd, kLinearModes, half, xyz[axis], of_odd);
+    fit_parity<false>(even, 1 + quadratic, half, xyz[axis], of_even);
+    sums[kMeanMode][axis] = of_even[0];
+    for (int m = 0; m < kLinearModes; ++m) sums[1 + m][axis] = of_odd[m];
+    for (int m = 0; m < quadratic; ++m) sums[1 + kLinearModes + m][axis] = of_even[1 + m];
   }
-  fit_parity<false>(even, evens, half, xyz, even_sums);
 }
 
 /// Calls `visit(target, at, lanes)` for the packs of all points, the first at index `at`. `target`
@@ -227,8 +235,9 @@ void left(const Real* x, const Real* y, int points, Real cx, Real cy, Real cosin
 
 template <class Real>
 constexpr Kernels<Real> kKernels{
-    bounds<Real>, floor<Real>, predict<Real>, fit<Real>, pull<Real>,          pull_damped<Real>,
-    dot<Real>,    left<Real>,  gather<Real>,  box<Real>, touch_nearest<Real>, touch_sums<Real>};
+    bounds<Real>, floor<Real>,       wall<Real>,          predict<Real>,   fit<Real>,
+    pull<Real>,   pull_damped<Real>, rotations,           dot<Real>,       left<Real>,
+    gather<Real>, box<Real>,         touch_nearest<Real>, touch_sums<Real>};
 
 }  // namespace
 

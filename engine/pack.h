@@ -55,11 +55,13 @@ struct NativeVector<double> {
   typedef double unaligned __attribute__((vector_size(kNativeBytes), aligned(8), may_alias));
 };
 
-template <class Real>
+/// Numbers side by side in whole registers: a pack of 64 bytes, or the contents of one register.
+template <class Real, int Bytes = kPackBytes>
 struct Pack {
   using Native = typename NativeVector<Real>::type;
   using Unaligned = typename NativeVector<Real>::unaligned;
-  static constexpr int kParts = kPackBytes / kNativeBytes;
+  static constexpr int kParts = Bytes / kNativeBytes;
+  static constexpr int kCount = Bytes / static_cast<int>(sizeof(Real));
   static constexpr int kNativeLanes = kNativeBytes / static_cast<int>(sizeof(Real));
   Native part[kParts];
 
@@ -78,7 +80,8 @@ struct Pack {
 
   PUPFLOW_INLINE static Pack broadcast(Real value) {
     Pack p;
-    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) p.part[i] = Native{} + value;
+    // The sum with 0 would turn -0 into 0, so the compiler would have to compute it.
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) p.part[i] = value - Native{};
     return p;
   }
   PUPFLOW_INLINE static Pack zero() {
@@ -97,6 +100,10 @@ struct Pack {
   }
   PUPFLOW_INLINE friend Pack operator*(Pack a, const Pack& b) {
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] *= b.part[i];
+    return a;
+  }
+  PUPFLOW_INLINE friend Pack operator/(Pack a, const Pack& b) {
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] /= b.part[i];
     return a;
   }
   PUPFLOW_INLINE Pack& operator+=(const Pack& b) { return *this = *this + b; }
@@ -140,6 +147,15 @@ struct Pack {
     return fold([](auto a, auto b) { return a > b ? a : b; });
   }
 
+  /// a b + c, rounded once or twice, as the instruction set has it. Only for looks at what is to be
+  /// computed exactly: the bits differ between instruction sets.
+  PUPFLOW_INLINE friend Pack roughly(const Pack& a, const Pack& b, Pack c) {
+    PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) {
+      c.part[i] = native_roughly(a.part[i], b.part[i], c.part[i]);
+    }
+    return c;
+  }
+
   PUPFLOW_INLINE friend Pack sqrt(Pack a) {
     PUPFLOW_UNROLL for (int i = 0; i < kParts; ++i) a.part[i] = native_sqrt(a.part[i]);
     return a;
@@ -160,8 +176,8 @@ struct Pack {
 
   template <class Vector, class Operation>
   PUPFLOW_INLINE static Real fold_halves(Vector v, Operation operation) {
-    constexpr int kCount = sizeof(Vector) / sizeof(Real);
-    if constexpr (kCount == 2) {
+    constexpr int kLeft = sizeof(Vector) / sizeof(Real);
+    if constexpr (kLeft == 2) {
       return operation(v[0], v[1]);
     } else {
       typedef Real Half __attribute__((vector_size(sizeof(Vector) / 2)));
@@ -214,6 +230,17 @@ struct Pack {
 #endif
   }
 
+  PUPFLOW_INLINE static Native native_roughly(Native a, Native b, Native c) {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(Real) == 4)
+      return Native(_mm512_fmadd_ps(__m512(a), __m512(b), __m512(c)));
+#elif defined(__FMA__)
+    if constexpr (sizeof(Real) == 4)
+      return Native(_mm256_fmadd_ps(__m256(a), __m256(b), __m256(c)));
+#endif
+    return a * b + c;
+  }
+
   PUPFLOW_INLINE static std::uint32_t native_less_bits(Native a, Native b) {
 #if defined(__AVX512F__)
     if constexpr (sizeof(Real) == 4) {
@@ -240,35 +267,6 @@ struct Pack {
 #endif
   }
 };
-
-/// Writes the lanes of `from` whose bits are set to `to`, without gaps. A whole pack at `to` may be
-/// overwritten.
-template <class Real>
-PUPFLOW_INLINE inline void compress(const Real* from, std::uint32_t bits, Real* to) {
-#if defined(__AVX512F__)
-  if constexpr (sizeof(Real) == 4) {
-    const auto mask = static_cast<__mmask16>(bits);
-    _mm512_storeu_ps(to, _mm512_maskz_compress_ps(mask, _mm512_loadu_ps(from)));
-  } else {
-    const auto mask = static_cast<__mmask8>(bits);
-    _mm512_storeu_pd(to, _mm512_maskz_compress_pd(mask, _mm512_loadu_pd(from)));
-  }
-#else
-  for (; bits != 0; bits &= bits - 1) *to++ = from[std::countr_zero(bits)];
-#endif
-}
-
-/// Writes `first` + i for each set bit i < 16 of `bits` to `to`, without gaps. 64 bytes at `to` may
-/// be overwritten.
-PUPFLOW_INLINE inline void compress_index(int first, std::uint32_t bits, int* to) {
-#if defined(__AVX512F__)
-  const __m512i ramp = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  const __m512i index = _mm512_add_epi32(ramp, _mm512_set1_epi32(first));
-  _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), index));
-#else
-  for (; bits != 0; bits &= bits - 1) *to++ = first + std::countr_zero(bits);
-#endif
-}
 
 }  // namespace
 }  // namespace pupflow

@@ -1,4 +1,5 @@
-// Loops over arrays in packs, and sets of lanes. Only the kernels include this, as pack.h.
+// Loops over arrays in packs, sets of lanes, and packs rounded to float. Only the kernels include
+// this, as pack.h.
 #pragma once
 
 #include <cassert>
@@ -25,11 +26,11 @@ template <class Real>
 alignas(kPackBytes) constexpr Real kRamp[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 /// `value` in the first `count` lanes, `other` in the rest.
-template <class Real>
-PUPFLOW_INLINE inline Pack<Real> first_lanes(int count, const Pack<Real>& value,
-                                             const Pack<Real>& other) {
-  return select_less(Pack<Real>::load(kRamp<Real>), Pack<Real>::broadcast(static_cast<Real>(count)),
-                     value, other);
+template <class Real, int Bytes>
+PUPFLOW_INLINE inline Pack<Real, Bytes> first_lanes(int count, const Pack<Real, Bytes>& value,
+                                                    const Pack<Real, Bytes>& other) {
+  using P = Pack<Real, Bytes>;
+  return select_less(P::load(kRamp<Real>), P::broadcast(static_cast<Real>(count)), value, other);
 }
 
 /// Calls `visit(i, whole)` for the packs that contain `count` numbers. `whole` is false in the last
@@ -53,6 +54,40 @@ PUPFLOW_INLINE inline std::uint32_t point_lanes(int i, int points) {
 PUPFLOW_INLINE inline void set_bits(std::uint64_t* words, int i, std::uint32_t bits) {
   assert((words[i / 64] >> (i % 64)) == 0);
   words[i / 64] |= static_cast<std::uint64_t>(bits) << (i % 64);
+}
+
+/// All lanes of a pack of `Count` numbers, one bit each.
+template <int Count>
+constexpr std::uint32_t kAllLanes = (std::uint32_t{1} << Count) - 1;
+
+/// Two halves of a register, side by side.
+template <class Native, class Half>
+PUPFLOW_INLINE inline Native joined(Half low, Half high) {
+  if constexpr (sizeof(Half) == 32) {
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  } else if constexpr (sizeof(Half) == 16) {
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+  } else {
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+  }
+}
+
+/// The same numbers as floats.
+template <int Bytes>
+PUPFLOW_INLINE inline Pack<float, Bytes> rounded(const Pack<float, Bytes>& numbers) {
+  return numbers;
+}
+template <int Bytes>
+PUPFLOW_INLINE inline Pack<float, Bytes / 2> rounded(const Pack<double, Bytes>& numbers) {
+  using To = Pack<float, Bytes / 2>;
+  typedef float Half __attribute__((vector_size(kNativeBytes / 2)));
+  To to;
+  PUPFLOW_UNROLL for (int i = 0; i < To::kParts; ++i) {
+    to.part[i] =
+        joined<typename To::Native>(__builtin_convertvector(numbers.part[2 * i], Half),
+                                    __builtin_convertvector(numbers.part[2 * i + 1], Half));
+  }
+  return to;
 }
 
 }  // namespace

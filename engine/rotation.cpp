@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+
+#include "engine/kernels.h"
 
 namespace pupflow {
 namespace {
@@ -11,57 +14,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Below this share of the largest possible determinant a cloud counts as flat.
-constexpr double kFlat = 1e-6;
 // Below this ratio to the largest, a singular value counts as zero.
 constexpr double kRank = 1e-12;
 
-/// Matrix of cofactors: det(a) times the inverse transposed.
-Matrix3d cofactors(const Matrix3d& a) {
-  Matrix3d c;
-  for (int j = 0; j < 3; ++j) {
-    const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-    for (int i = 0; i < 3; ++i) {
-      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
-      c(i, j) = a(i1, j1) * a(i2, j2) - a(i1, j2) * a(i2, j1);
-    }
-  }
-  return c;
-}
-
 double dot_columns(const Matrix3d& a, int i, const Matrix3d& b, int j) {
   return a(0, i) * b(0, j) + a(1, i) * b(1, j) + a(2, i) * b(2, j);
-}
-
-double norm_squared(const Matrix3d& a) {
-  return dot_columns(a, 0, a, 0) + dot_columns(a, 1, a, 1) + dot_columns(a, 2, a, 2);
-}
-
-/// Newton's iteration to the orthogonal polar factor of `a`, which has det > 0:
-///
-///   x <- (s x + x^(-T) / s) / 2
-Matrix3d polar_by_newton(const Matrix3d& a) {
-  Matrix3d x = a;
-  double change = 1;
-  for (int i = 0; i < 20 && change > 1e-30; ++i) {
-    const Matrix3d c = cofactors(x);
-    const double inverse_det = 1 / dot_columns(x, 0, c, 0);
-    // Scaling brings singular values that are far from 1 near it. In the last iterations it would
-    // only add rounding errors.
-    const double scale =
-        change > 1e-4
-            ? std::sqrt(std::sqrt(norm_squared(c) / norm_squared(x)) * std::abs(inverse_det))
-            : 1;
-    const double keep = 0.5 * scale, turn = 0.5 * inverse_det / scale;
-    change = 0;
-    for (int k = 0; k < 9; ++k) {
-      const double next = keep * x.data()[k] + turn * c.data()[k];
-      const double difference = next - x.data()[k];
-      change += difference * difference;
-      x.data()[k] = next;
-    }
-  }
-  return x;
 }
 
 /// Turns columns p and q of `u` to right angles, and those of `v` along. Returns whether it had to.
@@ -116,9 +73,8 @@ Rotation rotation_by_singular_values(const Matrix3d& a) {
   return {r, line ? RotationKind::arbitrary : RotationKind::fallback};
 }
 
-}  // namespace
-
-Rotation nearest_rotation(const Matrix3d& a) {
+/// The rotation of a matrix that is no regular one.
+Rotation irregular_rotation(const Matrix3d& a) {
   double size = 0;
   for (int i = 0; i < 9; ++i) {
     if (!std::isfinite(a.data()[i])) return {Matrix3d::Identity(), RotationKind::arbitrary};
@@ -127,10 +83,36 @@ Rotation nearest_rotation(const Matrix3d& a) {
   if (size == 0) return {Matrix3d::Identity(), RotationKind::arbitrary};
   Matrix3d scaled;
   for (int i = 0; i < 9; ++i) scaled.data()[i] = a.data()[i] / size;
-  const double det = dot_columns(scaled, 0, cofactors(scaled), 0);
-  const double norm = norm_squared(scaled);
-  if (det > kFlat * norm * std::sqrt(norm)) return {polar_by_newton(scaled), RotationKind::regular};
   return rotation_by_singular_values(scaled);
+}
+
+}  // namespace
+
+Rotation nearest_rotation(const Matrix3d& a) {
+  Rotation rotation;
+  nearest_rotations({&a, 1}, &rotation);
+  return rotation;
+}
+
+void nearest_rotations(std::span<const Matrix3d> a, Rotation* out) {
+  static const Kernels<double>& kernels = kernels_for<double>(supported_instruction_sets().back());
+  for (std::size_t first = 0; first < a.size(); first += kRotationLanes) {
+    const std::size_t count = std::min<std::size_t>(kRotationLanes, a.size() - first);
+    double lanes[9][kRotationLanes];
+    for (std::size_t m = 0; m < kRotationLanes; ++m) {  // lanes without a matrix repeat the last
+      const Matrix3d& matrix = a[first + std::min(m, count - 1)];
+      for (int k = 0; k < 9; ++k) lanes[k][m] = matrix.data()[k];
+    }
+    const std::uint32_t regular = kernels.rotations(lanes);
+    for (std::size_t m = 0; m < count; ++m) {
+      if (((regular >> m) & 1) == 0) {
+        out[first + m] = irregular_rotation(a[first + m]);
+        continue;
+      }
+      for (int k = 0; k < 9; ++k) out[first + m].matrix.data()[k] = lanes[k][m];
+      out[first + m].kind = RotationKind::regular;
+    }
+  }
 }
 
 }  // namespace pupflow

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 namespace pupflow {
 
@@ -22,5 +23,9 @@ struct Rotation {
 /// Comput. 7, 1160), the others one-sided Jacobi singular values, where the smallest one changes
 /// its sign if det would be -1 (Umeyama 1991). The result does not depend on the scale of `a`.
 Rotation nearest_rotation(const Eigen::Matrix3d& a);
+
+/// The same for each of `a`, several at a time. `out` has room for as many. The bits do not depend
+/// on which matrices are taken together.
+void nearest_rotations(std::span<const Eigen::Matrix3d> a, Rotation* out);
 
 }  // namespace pupflow

@@ -147,26 +147,38 @@ static void record_strain(const Cloud<Real>& cloud, const ModeMatrix& goal, Stat
 }
 
 template <class Real>
-RotationKind match_shape(const Params& params, const StepBody& body, MatchParts parts,
-                         const Cloud<Real>& cloud, State<Real>& state, int pup) {
-  const BodyFit fit = fit_body(params, body, parts.quadratic, cloud, state, pup);
-  const Rotation rotation = parts.rotation
-                                ? nearest_rotation(linear_part(fit.shape))
-                                : Rotation{Eigen::Matrix3d::Zero(), RotationKind::regular};
-  const ModeMatrix goal = goal_modes(fit.shape, rotation.matrix, cloud.linear_scale, body.beta);
-  if (parts.strain) record_strain(cloud, goal, state, pup);
-  pull_to_goals(params, body, parts.quadratic, cloud, fit, goal, state, pup);
-  return rotation.kind;
+int match_shapes(const Params& params, const StepBody& body, MatchParts parts,
+                 const Cloud<Real>& cloud, State<Real>& state, int first, int last) {
+  const int count = last - first;
+  assert(count > 0 && count <= kMatchedTogether);
+  BodyFit fit[kMatchedTogether];
+  Eigen::Matrix3d linear[kMatchedTogether];
+  Rotation rotation[kMatchedTogether];
+  for (int i = 0; i < count; ++i) {
+    fit[i] = fit_body(params, body, parts.quadratic, cloud, state, first + i);
+    linear[i] = linear_part(fit[i].shape);
+    rotation[i] = {Eigen::Matrix3d::Zero(), RotationKind::regular};
+  }
+  if (parts.rotation) nearest_rotations({linear, static_cast<std::size_t>(count)}, rotation);
+  int irregular = 0;
+  for (int i = 0; i < count; ++i) {
+    irregular += rotation[i].kind == RotationKind::regular ? 0 : 1;
+    const ModeMatrix goal =
+        goal_modes(fit[i].shape, rotation[i].matrix, cloud.linear_scale, body.beta);
+    if (parts.strain) record_strain(cloud, goal, state, first + i);
+    pull_to_goals(params, body, parts.quadratic, cloud, fit[i], goal, state, first + i);
+  }
+  return irregular;
 }
 
-#define PUPFLOW_INSTANTIATE(Real)                                                             \
-  template void predict<Real>(const Params&, State<Real>&, int);                              \
-  template BodyFit fit_body<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,   \
-                                  const State<Real>&, int);                                   \
-  template void pull_to_goals<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&, \
-                                    const BodyFit&, const ModeMatrix&, State<Real>&, int);    \
-  template RotationKind match_shape<Real>(const Params&, const StepBody&, MatchParts,         \
-                                          const Cloud<Real>&, State<Real>&, int);
+#define PUPFLOW_INSTANTIATE(Real)                                                                 \
+  template void predict<Real>(const Params&, State<Real>&, int);                                  \
+  template BodyFit fit_body<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,       \
+                                  const State<Real>&, int);                                       \
+  template void pull_to_goals<Real>(const Params&, const StepBody&, bool, const Cloud<Real>&,     \
+                                    const BodyFit&, const ModeMatrix&, State<Real>&, int);        \
+  template int match_shapes<Real>(const Params&, const StepBody&, MatchParts, const Cloud<Real>&, \
+                                  State<Real>&, int, int);
 PUPFLOW_INSTANTIATE(float)
 PUPFLOW_INSTANTIATE(double)
 #undef PUPFLOW_INSTANTIATE

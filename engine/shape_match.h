@@ -93,11 +93,14 @@ struct MatchParts {
   bool strain = false;  // record each point's distance from its goal
 };
 
-/// Pulls one pup's points towards their goals: fit, nearest rotation, goals, pull. Returns how the
-/// rotation was found; regular where parts.rotation is false. `parts.strain` fills the state's strain
-/// before the pull; it must have room (make_room).
+/// Pups that are matched together at most.
+constexpr int kMatchedTogether = kRotationLanes;
+
+/// Pulls the points of the pups first ... last - 1, at most kMatchedTogether, towards their goals:
+/// fits, nearest rotations, goals, pull. Returns how many rotations were not RotationKind::regular.
+/// `parts.strain` fills the state's strain before the pull; it must have room (make_room).
 template <class Real>
-RotationKind match_shape(const Params& params, const StepBody& body, MatchParts parts,
-                         const Cloud<Real>& cloud, State<Real>& state, int pup);
+int match_shapes(const Params& params, const StepBody& body, MatchParts parts,
+                 const Cloud<Real>& cloud, State<Real>& state, int first, int last);
 
 }  // namespace pupflow

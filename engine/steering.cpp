@@ -79,13 +79,16 @@ SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
   const int on_right = state.points - on_left;
   // Points without contact feel T_a, and so does a side without points.
   const auto means = [&](double unit) -> SideTemperatures {
-    double sum[2] = {0, 0};  // of T_c - T_a over the touching points: right, left
+    double sum_left = 0, sum_right = 0;  // sums of T_c - T_a over the touching points
     for_each_point(touching, words, [&](int i) {
       assert(i < state.points && touched[i] >= 0 && touched[i] < state.pups && touched[i] != pup);
-      sum[is_left(i)] += unit * state.tb[touched[i]] - unit * params.ambient_temperature;
+      const double warmth = unit * state.tb[touched[i]] - unit * params.ambient_temperature;
+      // Nobody can predict the side, so there is no branch. A sum is never -0: adding 0 leaves it.
+      sum_left += is_left(i) ? warmth : 0;
+      sum_right += is_left(i) ? 0 : warmth;
     });
-    return {(unit * params.ambient_temperature + (on_left > 0 ? sum[1] / on_left : 0)) / unit,
-            (unit * params.ambient_temperature + (on_right > 0 ? sum[0] / on_right : 0)) / unit};
+    return {(unit * params.ambient_temperature + (on_left > 0 ? sum_left / on_left : 0)) / unit,
+            (unit * params.ambient_temperature + (on_right > 0 ? sum_right / on_right : 0)) / unit};
   };
   const SideTemperatures plain = means(1);
   return std::isfinite(plain.left) && std::isfinite(plain.right) ? plain : means(kSumUnit);

@@ -1,5 +1,6 @@
 #include "engine/step.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -47,7 +48,8 @@ struct Step {
   const Sequence& sequence;
   StepBody body;
 
-  Status stage_of_pup(Stage stage, int pup, int worker, StepCounters& counters) const {
+  /// Any stage but shape matching, which takes several pups at a time.
+  Status stage_of_pup(Stage stage, int pup, int worker) const {
     switch (stage) {
       case Stage::boundary:
         apply_boundaries(params, state, pup);
@@ -62,19 +64,19 @@ struct Step {
         return heat(params, plan.has(Part::mean_temperature), state, pup, state.felt_tb[pup]);
       case Stage::predict:
         predict(params, state, pup);
-        break;
+        return check_if_last(stage, pup);
       case Stage::shape_match:
-        const MatchParts parts{plan.has(Part::quadratic), plan.has(Part::rotation),
-                               plan.has(Part::strain)};
-        const RotationKind kind = match_shape(params, body, parts, cloud, state, pup);
-        counters.rotation_fallbacks += kind == RotationKind::regular ? 0 : 1;
         break;
     }
+    return {};
+  }
+
+  Status check_if_last(Stage stage, int pup) const {
     return stage == sequence.last_motion() ? check_motion(params, state, pup, stage) : Status{};
   }
 
-  /// Stages number `begin` ... `end` - 1 of the sequence: all of them for one pup, then for the
-  /// next, while its points are at hand.
+  /// Stages number `begin` ... `end` - 1 of the sequence: all of them for some pups, then for the
+  /// next, while their points are at hand.
   void run(std::size_t begin, std::size_t end, StepCounters& counters) const {
     if (sequence.stages()[begin] == Stage::contact) {
       const ContactRecords records{plan.has(Part::exposure), plan.has(Part::owners),
@@ -86,17 +88,41 @@ struct Step {
     workspace.team.run(workers, [&](int worker) {
       Found& found = workspace.found[worker];
       const Share share = share_of(state.pups, worker, workers);
-      for (int pup = share.begin; pup < share.end; ++pup) {
-        for (std::size_t place = begin; place < end; ++place) {
-          const Status status = stage_of_pup(sequence.stages()[place], pup, worker, found.counters);
-          if (!status.ok()) keep_earliest(found, status, static_cast<int>(place));
-        }
+      for (int pup = share.begin; pup < share.end; pup += kMatchedTogether) {
+        run_some(begin, end, pup, std::min(pup + kMatchedTogether, share.end), worker, found);
       }
     });
   }
 
-  static void keep_earliest(Found& found, const Status& status, int place) {
-    if (!found.status.ok() && found.place <= place) return;
+  /// Those stages for the pups first ... last - 1.
+  void run_some(std::size_t begin, std::size_t end, int first, int last, int worker,
+                Found& found) const {
+    const auto matches = [&](std::size_t place) {
+      return sequence.stages()[place] == Stage::shape_match;
+    };
+    for (std::size_t place = begin, next; place < end; place = next) {
+      next = place + 1;
+      if (matches(place)) {
+        const MatchParts parts{plan.has(Part::quadratic), plan.has(Part::rotation),
+                               plan.has(Part::strain)};
+        found.counters.rotation_fallbacks +=
+            match_shapes(params, body, parts, cloud, state, first, last);
+        for (int pup = first; pup < last; ++pup) {
+          keep_earliest(found, check_if_last(Stage::shape_match, pup), place);
+        }
+        continue;
+      }
+      while (next < end && !matches(next)) ++next;
+      for (int pup = first; pup < last; ++pup) {
+        for (std::size_t i = place; i < next; ++i) {
+          keep_earliest(found, stage_of_pup(sequence.stages()[i], pup, worker), i);
+        }
+      }
+    }
+  }
+
+  static void keep_earliest(Found& found, const Status& status, std::size_t place) {
+    if (status.ok() || (!found.status.ok() && found.place <= place)) return;
     found.status = status;
     found.place = place;
   }
@@ -105,7 +131,7 @@ struct Step {
   Status gather(StepCounters& counters) const {
     Found all;
     for (const Found& found : workspace.found) {
-      if (!found.status.ok()) keep_earliest(all, found.status, found.place);
+      keep_earliest(all, found.status, found.place);
       counters.rotation_fallbacks += found.counters.rotation_fallbacks;
     }
     return all.status;

@@ -1,6 +1,7 @@
 // One step of a litter: the planned stages, in order.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "engine/cloud.h"
@@ -25,8 +26,8 @@ template <class Real>
 struct Workspace {
   /// What one worker met in its pups.
   struct alignas(64) Found {
-    Status status;  // of the earliest stage, there of the lowest pup
-    int place = 0;  // of that stage in the step
+    Status status;          // of the earliest stage, there of the lowest pup
+    std::size_t place = 0;  // of that stage in the step
     StepCounters counters;
   };
   Contacts<Real> contacts;

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "engine/rng.h"
-#include "pupflow/geometry.h"
 
 namespace pupflow {
 namespace {
@@ -23,124 +21,6 @@ Status resolve(Contacts<Real>& contacts, const Params& params, State<Real>& stat
     if (first.ok()) first = status;
   }
   return first;
-}
-
-template <class Real>
-State<Real> random_pile(int pups, double spread, std::uint64_t seed) {
-  Rng random(seed);
-  const auto rest = cube_sphere(5, 0.25);
-  State<Real> state = make_state<Real>(pups, static_cast<int>(rest.size()));
-  for (int pup = 0; pup < pups; ++pup) {
-    const Eigen::Vector3d centre(random.uniform(-spread, spread), random.uniform(-spread, spread),
-                                 random.uniform(0.3, 0.3 + spread));
-    const Eigen::Matrix3d turn = random.rotation();
-    for (int i = 0; i < state.stride; ++i) {
-      const Eigen::Vector3d p =
-          i < state.points ? Eigen::Vector3d(centre + turn * rest[i]) : Eigen::Vector3d(centre);
-      const std::size_t k = state.row(pup) + i;
-      state.x[k] = static_cast<Real>(p.x());
-      state.y[k] = static_cast<Real>(p.y());
-      state.z[k] = static_cast<Real>(p.z());
-      state.vx[k] = static_cast<Real>(random.uniform(-1, 1));
-    }
-    update_bounds(state, pup);
-  }
-  return state;
-}
-
-/// The contact rule, straight from its definition: every point against every other.
-template <class Real>
-State<Real> brute_force(const State<Real>& before, ContactRule rule, double point_radius) {
-  State<Real> after = before;
-  std::set<std::pair<int, int>> touching;
-  const double reach = 2 * point_radius;
-  const auto at = [&](std::size_t k) {
-    return Eigen::Vector3d(before.x[k], before.y[k], before.z[k]);
-  };
-  for (int j = 0; j < before.pups; ++j) {
-    int contacts = 0;
-    for (int i = 0; i < before.points; ++i) {
-      const std::size_t a = before.row(j) + i;
-      Eigen::Vector3d push = Eigen::Vector3d::Zero(), pull = Eigen::Vector3d::Zero();
-      int uppers = 0, owner = -1;
-      double nearest = reach, nearest_lower = reach;
-      for (int k = 0; k < before.pups; ++k) {
-        if (k == j) continue;
-        for (int l = 0; l < before.points; ++l) {
-          const std::size_t b = before.row(k) + l;
-          const Eigen::Vector3d e = at(a) - at(b);
-          const double d = e.norm();
-          if (!(d < reach)) continue;
-          touching.insert({std::min(j, k), std::max(j, k)});
-          if (d < nearest) {
-            nearest = d;
-            owner = k;
-          }
-          const bool upper = before.z[a] != before.z[b] ? before.z[a] > before.z[b] : j < k;
-          if (!upper) continue;
-          if (rule == ContactRule::nearest) {
-            if (!(d < nearest_lower)) continue;
-            nearest_lower = d;
-            push = pull = Eigen::Vector3d::Zero();
-            uppers = 0;
-          }
-          push += e * (reach - d);
-          pull -= e;
-          ++uppers;
-        }
-      }
-      after.touched[before.flat(j) + i] = owner;
-      contacts += owner >= 0 ? 1 : 0;
-      if (uppers == 0) continue;
-      if (rule == ContactRule::mean) push /= uppers;
-      after.x[a] += static_cast<Real>(push.x());
-      after.y[a] += static_cast<Real>(push.y());
-      after.z[a] += static_cast<Real>(push.z());
-      after.vx[a] = static_cast<Real>(pull.x() / uppers);
-      after.vy[a] = static_cast<Real>(pull.y() / uppers);
-      after.vz[a] = static_cast<Real>(pull.z() / uppers);
-    }
-    after.exposed[j] = 1 - static_cast<double>(contacts) / before.points;
-  }
-  after.touching.clear();
-  for (const auto& [a, b] : touching) after.touching.push_back({a, b});
-  return after;
-}
-
-template <class Real>
-class ContactStage : public ::testing::Test {};
-using Precisions = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(ContactStage, Precisions);
-
-TYPED_TEST(ContactStage, BroadPhaseFindsWhatBruteForceFinds) {
-  const double tolerance = sizeof(TypeParam) == 4 ? 2e-6 : 1e-14;
-  Contacts<TypeParam> contacts;  // reused, as a step does
-  std::size_t seen = 0;
-  for (std::uint64_t seed = 1; seed <= 18; ++seed) {
-    Params params;
-    params.contact = static_cast<ContactRule>(seed % 3);
-    SCOPED_TRACE(seed);
-    State<TypeParam> state = random_pile<TypeParam>(3 + static_cast<int>(seed) % 8,
-                                                    0.2 + 0.05 * static_cast<double>(seed), seed);
-    const State<TypeParam> expected = brute_force(state, params.contact, params.point_radius);
-    ASSERT_TRUE(resolve(contacts, params, state).ok());
-    EXPECT_EQ(state.touching, expected.touching);
-    EXPECT_EQ(state.touched, expected.touched);
-    seen += state.touching.size();
-    for (int j = 0; j < state.pups; ++j) EXPECT_NEAR(state.exposed[j], expected.exposed[j], 1e-12);
-    for (int j = 0; j < state.pups; ++j) {
-      for (int i = 0; i < state.points; ++i) {
-        const std::size_t k = state.row(j) + i;
-        ASSERT_NEAR(state.x[k], expected.x[k], tolerance);
-        ASSERT_NEAR(state.y[k], expected.y[k], tolerance);
-        ASSERT_NEAR(state.z[k], expected.z[k], tolerance);
-        ASSERT_NEAR(state.vx[k], expected.vx[k], tolerance);
-        ASSERT_NEAR(state.vy[k], expected.vy[k], tolerance);
-        ASSERT_NEAR(state.vz[k], expected.vz[k], tolerance);
-      }
-    }
-  }
-  EXPECT_GT(seen, 30u);
 }
 
 /// Two pups of one point each (a cloud needs no shape here), at given heights and distance.

@@ -168,7 +168,7 @@ struct FreeBody {
   }
   void step(const StepBody& body) {
     predict(params, state, 0);
-    match_shape(params, body, {params.deformation > 0, true}, cloud, state, 0);
+    match_shapes(params, body, {params.deformation > 0, true}, cloud, state, 0, 1);
   }
   Eigen::Vector3d position(int i) const { return {state.x[i], state.y[i], state.z[i]}; }
   Eigen::Vector3d velocity(int i) const { return {state.vx[i], state.vy[i], state.vz[i]}; }

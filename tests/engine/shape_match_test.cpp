@@ -114,7 +114,7 @@ TYPED_TEST(Goals, KeepTheCentreOfMass) {
   Params params;
   params.rigidity = 1;  // points end on their goals
   const Eigen::Vector3d before = centre();
-  match_shape(params, step_body(params), {}, cloud, state, 0);
+  match_shapes(params, step_body(params), {}, cloud, state, 0, 1);
   EXPECT_LT((centre() - before).norm(), sizeof(TypeParam) == 4 ? 2e-7 : 5e-15);
 }
 
@@ -135,7 +135,8 @@ TEST(ShapeMatch, CloudsWithoutShapeStayFinite) {
       state.y[i] = p.y();
       state.z[i] = p.z();
     }
-    EXPECT_EQ(match_shape(Params{}, step_body(Params{}), {}, cloud, state, 0), expected);
+    EXPECT_EQ(match_shapes(Params{}, step_body(Params{}), {}, cloud, state, 0, 1),
+              expected == RotationKind::regular ? 0 : 1);
     for (int i = 0; i < state.stride; ++i) {
       ASSERT_TRUE(std::isfinite(state.x[i]) && std::isfinite(state.y[i]) &&
                   std::isfinite(state.z[i]));

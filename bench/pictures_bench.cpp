@@ -45,7 +45,7 @@ void read(benchmark::State& state) {
   });
 }
 
-/// Smooth colours with a few edges, which a filter and deflate find much as they find a litter.
+/// Smooth colors with a few edges, which a filter and deflate find much as they find a litter.
 io::Image some_picture() {
   io::Image image(kPictureWidth, kPictureHeight);
   for (int y = 0; y < image.height; ++y) {

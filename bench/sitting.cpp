@@ -1,7 +1,7 @@
 #include "bench/sitting.h"
 
 #include "app/context/headless.h"
-#include "app/pictures/studio.h"
+#include "app/view/framing.h"
 #include "pupflow/simulation.h"
 
 namespace pupflow::bench {
@@ -17,8 +17,8 @@ std::unique_ptr<context::Context> headless() {
 Sitting::Sitting()
     : context_(headless()),
       scale_("viridis", 0, 1),
-      camera_(pictures::framed_camera("orbit:30,35", huddling(Precision::float_),
-                                      static_cast<double>(kPictureWidth) / kPictureHeight)) {
+      camera_(view::framed(view::Camera::parse(view::Camera::kUsual), huddling(Precision::float_),
+                           static_cast<double>(kPictureWidth) / kPictureHeight)) {
   target_.resize(kPictureWidth, kPictureHeight);
 }
 

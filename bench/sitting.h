@@ -15,7 +15,7 @@ namespace pupflow::bench {
 
 constexpr int kPictureWidth = 1280, kPictureHeight = 960;
 
-/// The pictures that `pupflow render` takes of the huddling litter, without their colour bar, in
+/// The pictures that `pupflow render` takes of the huddling litter, without their color bar, in
 /// the parts that they are made of. One at a time.
 class Sitting {
  public:

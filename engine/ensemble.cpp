@@ -37,24 +37,15 @@ std::optional<RunResult> run_to_end(const Params& params, const std::function<bo
   return result;
 }
 
-void run_ensemble(std::int64_t count, int threads,
-                  const std::function<Params(std::int64_t)>& params_of,
-                  const std::function<void(std::int64_t, const RunResult&)>& deliver,
-                  const std::function<bool()>& stop) {
+void for_each_index(std::int64_t count, int threads,
+                    const std::function<void(std::int64_t)>& body) {
   std::atomic<std::int64_t> next{0};
   std::atomic<bool> failed{false};
-  std::mutex mutex;  // guards deliver and failure
-  std::exception_ptr failure;
-  const auto stop_all = [&] { return failed || stop(); };
+  std::exception_ptr failure;  // written by the thread that sets `failed`
   const auto work = [&] {
     try {
-      for (std::int64_t i = next++; i < count && !stop_all(); i = next++) {
-        const std::optional<RunResult> result = run_to_end(params_of(i), stop_all);
-        const std::lock_guard lock(mutex);
-        if (result && !failed) deliver(i, *result);
-      }
+      for (std::int64_t i = next++; i < count && !failed; i = next++) body(i);
     } catch (...) {
-      const std::lock_guard lock(mutex);
       if (!failed.exchange(true)) failure = std::current_exception();
     }
   };
@@ -64,6 +55,26 @@ void run_ensemble(std::int64_t count, int threads,
   work();
   helpers.clear();  // joins
   if (failure) std::rethrow_exception(failure);
+}
+
+void run_ensemble(std::int64_t count, int threads,
+                  const std::function<Params(std::int64_t)>& params_of,
+                  const std::function<void(std::int64_t, const RunResult&)>& deliver,
+                  const std::function<bool()>& stop) {
+  std::atomic<bool> failed{false};
+  std::mutex mutex;  // guards deliver
+  const auto stop_all = [&] { return failed || stop(); };
+  for_each_index(count, threads, [&](std::int64_t i) {
+    try {
+      if (stop_all()) return;
+      const std::optional<RunResult> result = run_to_end(params_of(i), stop_all);
+      const std::lock_guard lock(mutex);
+      if (result && !failed) deliver(i, *result);
+    } catch (...) {
+      failed = true;  // the other runs end at their next step
+      throw;
+    }
+  });
 }
 
 std::int64_t run_seed(std::int64_t base_seed, std::int64_t run) {

@@ -100,7 +100,7 @@ constexpr std::array kTable{
         .effect = Effect::next_step,
         .group = "heat",
         .source = kPaper,
-        .doc = "Temperature of the arena; every afferent that touches nobody reads it. 0.6 is 37 "
+        .doc = "Temperature of the arena; every afferent without contact reads it. 0.6 is 37 "
                "deg C.",
     }),
     row<&Params::rigidity>({

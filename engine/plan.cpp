@@ -34,14 +34,14 @@ Verdict decide_boundary(const Params& p) {
 }
 
 Verdict decide_contact(const Params& p) {
-  if (p.pups < 2) return {false, "fewer than two pups: nobody to touch"};
+  if (p.pups < 2) return {false, "fewer than two pups: no other pup to touch"};
   return {true, "pups can touch each other"};
 }
 
 Verdict decide_turn(const Params& p) {
-  if (p.pups < 2) return {false, "one pup touches nobody: both its sides feel T_a"};
-  if (p.sensitivity == 0) return {false, "sigma = 0: both sensors read the same, so nobody turns"};
-  if (p.steering_gain == 0) return {false, "v = 0: nobody turns"};
+  if (p.pups < 2) return {false, "one pup has no contact: both its sides feel T_a"};
+  if (p.sensitivity == 0) return {false, "sigma = 0: both sensors read the same, so no pup turns"};
+  if (p.steering_gain == 0) return {false, "v = 0: no pup turns"};
   return {true, "contacts turn the pups"};
 }
 
@@ -60,7 +60,7 @@ Verdict decide_heat(const Params& p) {
 }
 
 Verdict decide_mean_temperature(const Params& p) {
-  if (p.pups < 2) return {false, "fewer than two pups: nobody to touch"};
+  if (p.pups < 2) return {false, "fewer than two pups: no other pup to touch"};
   if (p.contact_conductance == 0) return {false, "k2 = 0: no heat flows between pups"};
   return {true, "heat flows between pups that touch"};
 }
@@ -120,7 +120,7 @@ Verdict decide(Stage stage, const Params& p, PartSet observed) {
   return records ? decide_record(true) : verdict;
 }
 
-/// A part of the contact stage, which is needed if anybody reads it.
+/// A part of the contact stage, which is needed if anything reads it.
 Verdict decide_readers(bool heat, bool steering, bool observer) {
   std::string readers;
   const auto add = [&](bool reads, const char* who) {
@@ -183,6 +183,7 @@ Plan whole_stage(Stage stage, const Params& params, PartSet observed) {
   Plan plan;
   plan.add(stage);
   add_parts(stage, params, observed, plan);
+  if (stage == Stage::steering) plan.add(Part::direction);  // the reason to need the stage
   return plan;
 }
 

@@ -34,7 +34,7 @@ struct State {
   std::vector<double> tb;       // body temperature T_b
   std::vector<double> felt_tb;  // T_b before the heat stage of the last step
   std::vector<double> heading;  // direction of travel theta, in (-pi, pi]
-  std::vector<double> exposed;  // share A of the points that touched nobody
+  std::vector<double> exposed;  // share A of the points without contact
 
   // Results of the contact stage.
   std::vector<int> touched;  // pup of the nearest touching point or -1; element j * points + i

@@ -77,7 +77,7 @@ SideTemperatures measure_sides(const Params& params, const Cloud<Real>& cloud,
   int on_left = 0;
   for (int w = 0; w < words; ++w) on_left += std::popcount(left[w]);
   const int on_right = state.points - on_left;
-  // Points that touch nobody feel T_a, and so does a side without points.
+  // Points without contact feel T_a, and so does a side without points.
   const auto means = [&](double unit) -> SideTemperatures {
     double sum_left = 0, sum_right = 0;  // sums of T_c - T_a over the touching points
     for_each_point(touching, words, [&](int i) {
@@ -125,7 +125,7 @@ template <class Real>
 Status steer(const Params& params, SteeringParts parts, const Cloud<Real>& cloud,
              State<Real>& state, int pup) {
   const bool course = params.heading == Heading::course;
-  // A pup that touches nobody feels T_a on both sides and does not turn.
+  // A pup without contacts feels T_a on both sides and does not turn.
   const bool turns = parts.turn && state.exposed[pup] < 1;
   if (course && !turns && !parts.sides) return {};
   const double direction = course ? state.heading[pup] : body_axis(cloud, state, pup);

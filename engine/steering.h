@@ -1,15 +1,18 @@
-// Homeothermotaxis: steering towards the side that feels better.
+// Steering: a pup turns towards the side whose temperature brings its own nearer to T_p.
 //
-// T_L and T_R are the means of T_c over the points on the left (counter-clockwise of the heading,
-// seen from above) and on the right.
-//
-//   S    = 1 / (1 + exp(-sigma T (T_p - T_b)))        for T = T_L and T = T_R
+//   S_L = 1 / (1 + exp(-sigma T_L (T_p - T_b)))      S_R likewise
 //   turn = atan(v (S_L - S_R) / (S_L + S_R))
 //
-//   heading = course:  theta <- theta + h turn, sides taken about theta
-//   heading = body:    theta = psi + turn, sides taken about the body's axis psi
+// T_L and T_R are the means of T_c over the points on the left (counter-clockwise of the heading,
+// seen from above) and on the right. heading = course takes the sides about theta and turns it:
 //
-// Wilson 2017.
+//   theta <- theta + h turn
+//
+// heading = body takes the sides about the body axis psi:
+//
+//   theta = psi + turn
+//
+// Wilson 2017, Methods; docs/model.md, Steering.
 #pragma once
 
 #include "engine/cloud.h"

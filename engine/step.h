@@ -10,7 +10,6 @@
 #include "engine/team.h"
 #include "pupflow/parameters.h"
 #include "pupflow/plan.h"
-#include "pupflow/simulation.h"
 #include "pupflow/status.h"
 
 namespace pupflow {

@@ -53,6 +53,13 @@ void add_flow_lag(CLI::App& verb, Common& common) {
       ->option_text("N");
 }
 
+void add_format(CLI::App& verb, std::string& format) {
+  format = "text";
+  verb.add_option("--format", format, "How to write the list (default text)")
+      ->option_text("text|markdown|json")
+      ->check(CLI::IsMember({"text", "markdown", "json"}));
+}
+
 int thread_count(const Common& common) {
   if (common.threads > 0) return common.threads;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

@@ -1,4 +1,4 @@
-// pupflow compare: two sweeps' summaries against each other.
+// pupflow compare: compares the summaries of two sweeps.
 #include <memory>
 
 #include "app/cli/verb.h"
@@ -8,16 +8,15 @@
 namespace pupflow::cli {
 
 Verb add_compare(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("compare", "Hold two sweeps' summaries against each other");
+  CLI::App* app = program.add_subcommand("compare", "Compare the summaries of two sweeps");
   const auto paths = std::make_shared<std::vector<std::string>>();
-  app->add_option("SUMMARY", *paths, "Two summary.csv files of the same points")
+  app->add_option("SUMMARY", *paths, "Two summary.csv files with the same points")
       ->option_text(" ")
       ->required()
       ->expected(2);
   app->footer(
-      "Differences of the means, in units of their combined standard error: sd / sqrt(runs) of "
-      "both.");
+      "Shows the differences of the means in units of their combined standard error\n"
+      "sqrt(sd1^2 / runs1 + sd2^2 / runs2).");
   return {app, [paths] {
             io::print(study::comparison_text(study::compare_summaries((*paths)[0], (*paths)[1])));
           }};

@@ -10,6 +10,7 @@
 #include "app/io/failure.h"
 #include "app/io/machine.h"
 #include "app/io/table.h"
+#include "pupflow/version.h"
 
 namespace pupflow::cli {
 namespace {
@@ -27,7 +28,7 @@ bool is_module_there(const std::string& file) {
 }
 
 std::vector<io::Row> build_rows() {
-  return {{"version", PUPFLOW_VERSION},
+  return {{"version", std::string(version_text())},
           {"compiler", io::compiler_words()},
           {"processor", io::cpu_name()},
           {"kernels", io::kernel_words()},
@@ -36,7 +37,7 @@ std::vector<io::Row> build_rows() {
 
 /// The rows for one kind of context: what was chosen and every attempt.
 void add_context(std::vector<io::Row>& rows, const std::string& what,
-                 const pictures::ContextReport& report) {
+                 const context::ContextReport& report) {
   rows.push_back({what, report.works ? "works: " + report.chosen : "does not work"});
   if (report.works) {
     rows.push_back({"", "renderer " + report.renderer});
@@ -51,7 +52,7 @@ void work(const Options& options) {
   std::vector<std::string> advice;
   const bool plots = io::is_program("gnuplot");
   rows.push_back({"figures", plots ? "gnuplot found" : "no gnuplot"});
-  const bool ranks = is_module_there("libpupflow_mpi.so");
+  const bool ranks = is_module_there(kMpiModule);
   rows.push_back({"mpi", ranks ? "module found: mpirun and srun spread sweeps" : "not built"});
   if (!ranks) {
     advice.emplace_back(
@@ -59,10 +60,10 @@ void work(const Options& options) {
   }
   if (!plots) advice.emplace_back("the figures of sweeps need gnuplot: apt install gnuplot-nox");
   try {
-    pictures::Graphics& graphics = load_graphics();
+    graphics::Graphics& graphics = load_graphics();
     rows.push_back({"graphics", "module loaded"});
-    const pictures::ContextReport headless = graphics.probe_headless();
-    const pictures::ContextReport window = graphics.probe_window();
+    const context::ContextReport headless = graphics.probe_headless();
+    const context::ContextReport window = graphics.probe_window();
     add_context(rows, "pictures", headless);
     add_context(rows, "window", window);
     if (!headless.works) {

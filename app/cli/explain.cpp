@@ -1,4 +1,4 @@
-// pupflow explain: which stages a scene needs, why, and what each costs here and now.
+// pupflow explain: which stages a scene needs, why, and the time of each on this machine.
 #include <cstdio>
 #include <memory>
 
@@ -9,8 +9,8 @@
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
 #include "app/io/table.h"
-#include "app/report/savings.h"
-#include "app/report/stage_timer.h"
+#include "app/report/savings/savings.h"
+#include "app/report/savings/stage_timer.h"
 #include "pupflow/observer.h"
 #include "pupflow/plan.h"
 #include "pupflow/simulation.h"
@@ -21,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMeasuredSteps = 200;
-constexpr std::chrono::seconds kPatience{5};  // for measuring, whatever the size of the scene
+constexpr std::chrono::seconds kMeasuringTime{5};  // for measuring, whatever the size of the scene
 
 struct Options {
   Common common;
@@ -33,10 +33,10 @@ int threads(const Options& options) {
   return options.common.threads > 0 ? options.common.threads : 1;
 }
 
-/// What was measured; microseconds.
+/// The measured times, in microseconds.
 struct Costs {
   int threads = 1;
-  std::int64_t first = 0, last = 0;  // the steps that it was measured over
+  std::int64_t first = 0, last = 0;  // the measured steps
   report::StageTimer stages;
   double step = 0, observing = 0;  // medians
 };
@@ -63,16 +63,17 @@ Costs measure(const Options& options, const Params& params) {
   std::vector<double> steps, observing;
   Observer observer(simulation);
   const Clock::time_point begin = Clock::now();
-  // One step stage by stage, the next as a whole, which is faster.
-  while (steps.size() < kMeasuredSteps / 2 && (steps.empty() || Clock::now() - begin < kPatience)) {
+  // One step is timed by stage, the next as a whole, which is faster.
+  while (steps.size() < kMeasuredSteps / 2 &&
+         (steps.empty() || Clock::now() - begin < kMeasuringTime)) {
     take_step(simulation, &costs.stages);
     observer.observe(simulation);
     const Clock::time_point before_step = Clock::now();
     take_step(simulation, nullptr);
     steps.push_back(report::microseconds_since(before_step));
-    const Clock::time_point before_look = Clock::now();
+    const Clock::time_point before_observing = Clock::now();
     observer.observe(simulation);
-    observing.push_back(report::microseconds_since(before_look));
+    observing.push_back(report::microseconds_since(before_observing));
   }
   costs.last = simulation.steps_done();
   costs.step = report::median(steps);
@@ -88,16 +89,15 @@ std::string microseconds(double value) {
 
 std::string costs_words(const Costs& costs, const Params& params) {
   char text[500];
-  std::snprintf(
-      text, sizeof text,
-      "Times are medians over steps %lld to %lld of this scene, measured just now, %s.\n"
-      "Every other step is timed as a whole, which can take less than its stages do one by one.\n"
-      "At that rate its %lld steps take %.3g s; observing each of "
-      "them would add %.3g s.\n",
-      static_cast<long long>(costs.first), static_cast<long long>(costs.last),
-      report::threads_words(costs.threads).c_str(), static_cast<long long>(params.steps),
-      1e-6 * costs.step * static_cast<double>(params.steps),
-      1e-6 * costs.observing * static_cast<double>(params.steps));
+  std::snprintf(text, sizeof text,
+                "Times are medians over steps %lld to %lld of this scene, measured just now, %s.\n"
+                "Every second step is timed as a whole, which can take less time than the sum of "
+                "its stages.\n"
+                "At that rate its %lld steps take %.3g s; observing each of them adds %.3g s.\n",
+                static_cast<long long>(costs.first), static_cast<long long>(costs.last),
+                report::threads_words(costs.threads).c_str(), static_cast<long long>(params.steps),
+                1e-6 * costs.step * static_cast<double>(params.steps),
+                1e-6 * costs.observing * static_cast<double>(params.steps));
   return text;
 }
 
@@ -124,7 +124,7 @@ std::string explanation(const io::Setup& setup, const Costs& costs) {
   for (const Decision& decision : explain_plan(setup.params, kContactRecords)) {
     const std::string nothing = std::string(8, ' ') + "-";
     if (decision.part) {
-      if (decision.needed) continue;  // its cost is in its stage
+      if (decision.needed) continue;  // its time is in that of its stage
       add_row(rows, {"- " + std::string(part_name(*decision.part)), "no", nothing, ""},
               decision.reason);
       continue;
@@ -139,11 +139,11 @@ std::string explanation(const io::Setup& setup, const Costs& costs) {
   add_row(
       rows,
       {"observables", "on demand", microseconds(costs.observing), io::bar(costs.observing, stages)},
-      "only after steps whose row or mean somebody asked for");
+      "only after steps that are observed");
   return scene_words(setup) + io::aligned(rows) + "\n" + costs_words(costs, setup.params);
 }
 
-/// With what is left out forced in.
+/// With the left-out parts forced in.
 void compare(const Options& options, const io::Setup& setup) {
   report::MeasuredSteps steps;
   steps.after = options.after;
@@ -176,21 +176,22 @@ void work(const Options& options) {
 
 Verb add_explain(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "explain", "Tell which stages a scene needs and why, and what each costs");
+      "explain", "Show which stages a scene needs and why, and the time of each");
   const auto options = std::make_shared<Options>();
   CommonHelp help;
   help.threads = "Threads that share a step (default 1)";
   help.out = "Write the explanation to a file instead of standard output";
   help.quiet = "No progress";
   add_common(*app, options->common, help);
-  app->add_option("--after", options->after,
-                  "Let the litter fall for N steps before measuring, since contacts cost what "
-                  "touches (default 300)")
+  app->add_option(
+         "--after", options->after,
+         "Run N steps before measuring, since the time of contacts depends on what touches "
+         "(default 300)")
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 53));
   app->add_flag("--measure", options->measure,
-                "Run the scene as planned and with each part that it leaves out forced in, show "
-                "that no bit of the results differs, and what leaving out saves");
+                "Also force in each part that the scene leaves out, and show the time that leaving "
+                "it out saves and that no bit of the results differs");
   return {app, [options] { work(*options); }};
 }
 

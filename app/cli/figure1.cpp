@@ -18,7 +18,7 @@ struct Options {
   Common common;
   LookOptions look;
   std::string ta = "0.2,0.5,0.8";
-  int panel = 560;
+  int panel = pictures::Figure1Job{}.panel;
 };
 
 std::vector<double> panels(const std::string& text, const Params& params) {
@@ -45,7 +45,7 @@ void work(const Options& options) {
   job.params = io::set_up(options.common.settings).params;
   job.ta = panels(options.ta, job.params);
   job.panel = options.panel;
-  job.threads = options.common.threads;
+  job.threads = thread_count(options.common);
   job.look = look_of(options.look);
   job.output = {options.common.out, options.common.force, options.common.quiet};
   io::refuse_existing(job.output.path, job.output.force);
@@ -61,16 +61,18 @@ Verb add_figure1(CLI::App& program) {
   options->common.out = "figure1.png";
   CommonHelp help;
   help.scene = false;
-  help.threads =
-      "Step the panels on N threads (default: as many as help); the picture stays the same";
+  help.threads = "Threads that step the panels (default: all cores); the picture stays the same";
   help.out = "The picture's file (default figure1.png)";
   help.quiet = "No progress";
   add_common(*app, options->common, help);
   app->add_option("--ta", options->ta, "Ambient temperatures, a panel each (default 0.2,0.5,0.8)")
       ->option_text("TA,TA,...");
-  app->add_option("--panel", options->panel, "Edge of a panel in pixels, 120 to 4096 (default 560)")
+  app->add_option("--panel", options->panel,
+                  "Edge of a panel in pixels, " + std::to_string(pictures::kSmallestPanel) +
+                      " to " + std::to_string(pictures::kLargestPanel) + " (default " +
+                      std::to_string(options->panel) + ")")
       ->option_text("N")
-      ->check(CLI::Range(120, 4096));
+      ->check(CLI::Range(pictures::kSmallestPanel, pictures::kLargestPanel));
   add_look(*app, options->look);
   return {app, [options] { work(*options); }};
 }

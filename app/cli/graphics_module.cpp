@@ -11,13 +11,13 @@ constexpr const char* kPackages =
 
 }  // namespace
 
-pictures::Graphics& load_graphics() {
-  const Module module = load_module("libpupflow_graphics.so", pictures::kGraphicsEntry);
+graphics::Graphics& load_graphics() {
+  const Module module = load_module(kGraphicsModule, graphics::kEntry);
   if (!module.entry) {
     throw io::Failure(io::ExitCode::no_context,
                       "no graphics: " + module.problem + " (" + kPackages + ")");
   }
-  return *reinterpret_cast<pictures::GraphicsEntry>(module.entry)();
+  return *reinterpret_cast<graphics::Entry>(module.entry)();
 }
 
 }  // namespace pupflow::cli

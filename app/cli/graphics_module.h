@@ -2,12 +2,12 @@
 // for.
 #pragma once
 
-#include "app/pictures/graphics.h"
+#include "app/graphics/graphics.h"
 
 namespace pupflow::cli {
 
 /// Loads the module. Throws Failure(no_context), with the loader's reason and what to install, when
 /// it is missing or a library that it needs is.
-pictures::Graphics& load_graphics();
+graphics::Graphics& load_graphics();
 
 }  // namespace pupflow::cli

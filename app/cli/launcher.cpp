@@ -1,7 +1,6 @@
 #include "app/cli/launcher.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <optional>
 #include <string_view>
@@ -28,11 +27,8 @@ constexpr Launcher kLaunchers[] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZ
 std::optional<int> number_in(const char* variable) {
   const char* text = std::getenv(variable);
   if (!text) return std::nullopt;
-  const std::string_view view(text);
-  int number = 0;
-  const auto [stop, error] = std::from_chars(view.data(), view.data() + view.size(), number);
-  if (error != std::errc{} || stop != view.data() + view.size() || number < 0) return std::nullopt;
-  return number;
+  const std::optional<int> number = io::read_number<int>(text);
+  return number && *number >= 0 ? number : std::nullopt;
 }
 
 /// Rank and size only.
@@ -62,9 +58,8 @@ std::chrono::seconds lost_after(std::chrono::seconds default_value) {
   if (!text) return default_value;
   const std::optional<int> seconds = number_in(kVariable);
   if (seconds && *seconds >= 1) return std::chrono::seconds(*seconds);
-  throw io::Failure(io::ExitCode::bad_input,
-                    std::string(kVariable) +
-                        ": must be a whole number of seconds, at least 1, not " + io::quoted(text));
+  io::refuse(std::string(kVariable) + ": must be a whole number of seconds, at least 1, not " +
+             io::quoted(text));
 }
 
 }  // namespace
@@ -83,14 +78,13 @@ bool is_silent_rank(int argc, char** argv) {
 }
 
 mpi::Interface& load_mpi(const mpi::RankInfo& self) {
-  const Module module = load_module("libpupflow_mpi.so", mpi::kEntry);
+  const Module module = load_module(kMpiModule, mpi::kEntry);
   if (!module.entry) {
-    throw io::Failure(
-        io::ExitCode::bad_input,
-        "started as one of " + std::to_string(self.size) + " ranks, but " +
-            (module.missing ? "this pupflow was built without MPI: build it with -DPUPFLOW_MPI=ON"
-                            : "its MPI module cannot be loaded: " + module.problem) +
-            ", or give each process a share with --shard");
+    io::refuse("started as one of " + std::to_string(self.size) + " ranks, but " +
+               (module.missing
+                    ? "this pupflow was built without MPI: build it with -DPUPFLOW_MPI=ON"
+                    : "its MPI module cannot be loaded: " + module.problem) +
+               ", or give each process a share with --shard");
   }
   return *reinterpret_cast<mpi::Entry>(module.entry)();
 }

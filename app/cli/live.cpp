@@ -13,7 +13,7 @@ namespace {
 struct Options {
   Common common;  // its `out` is the pattern for screenshots
   LookOptions look;
-  std::string size = "1400x900";
+  std::string size = size_text(window::LiveJob{}.width, window::LiveJob{}.height);
   double ui_scale = 0;
   bool paused = false;
   bool test_events = false;
@@ -21,7 +21,7 @@ struct Options {
 };
 
 void work(const Options& options) {
-  pictures::LiveJob job;
+  window::LiveJob job;
   job.params = io::set_up(options.common.settings).params;
   job.look = look_of(options.look);
   std::tie(job.width, job.height) = parse_size("--size", options.size);
@@ -47,7 +47,7 @@ Verb add_live(CLI::App& program) {
   help.out = "Where the screenshot key writes; %d or %0Nd stands for the step";
   help.quiet = "Accepted everywhere; the window prints nothing but errors";
   add_common(*app, options->common, help);
-  app->add_option("--size", options->size, "Window size in pixels (default 1400x900)")
+  app->add_option("--size", options->size, "Window size in pixels (default " + options->size + ")")
       ->option_text("WxH");
   app->add_option("--ui-scale", options->ui_scale,
                   "Size of text and widgets, 0.5 to 4 (default: the display's)")

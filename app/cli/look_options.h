@@ -4,16 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "app/pictures/graphics.h"
+#include "app/pictures/look.h"
 
 namespace pupflow::cli {
 
 /// The options as typed.
 struct LookOptions {
-  std::string colormap = "viridis";
-  std::string scale = "0,1";
+  std::string color_by = "tb";
+  std::string colormap, scale;  // empty: the field's own
   std::string shader_dir;
-  int supersample = 2;
+  int supersample = pictures::Look{}.supersample;
   bool verbose = false;
 };
 

@@ -12,6 +12,7 @@
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/nearest.h"
+#include "app/io/provenance.h"
 #include "app/io/text.h"
 #include "pupflow/parameters.h"
 
@@ -22,28 +23,25 @@ using io::ExitCode;
 using io::Failure;
 
 std::vector<Verb> add_verbs(CLI::App& program) {
-  return {add_live(program),    add_run(program),     add_render(program), add_figure1(program),
-          add_figure2(program), add_sweep(program),   add_merge(program),  add_compare(program),
-          add_params(program),  add_explain(program), add_report(program), add_doctor(program)};
+  return {add_live(program),    add_run(program),    add_render(program),  add_figure1(program),
+          add_figure2(program), add_sweep(program),  add_merge(program),   add_compare(program),
+          add_params(program),  add_fields(program), add_explain(program), add_report(program),
+          add_doctor(program)};
 }
 
 void refuse_unknown_verb(const std::vector<Verb>& verbs, int argc, char** argv) {
   std::vector<std::string> names;
-  std::string listed;
-  for (const Verb& verb : verbs) {
-    names.push_back(verb.app->get_name());
-    listed += (listed.empty() ? "" : ", ") + names.back();
-  }
+  for (const Verb& verb : verbs) names.push_back(verb.app->get_name());
+  const std::string listed = io::joined(names, ", ");
   if (argc < 2) {
-    throw Failure(ExitCode::bad_input, "no verb given: " + listed + "; see 'pupflow --help'");
+    io::refuse("no verb given: " + listed + "; see 'pupflow --help'");
   }
   const std::string given = argv[1];
   if (given.starts_with('-')) return;
   const std::vector<std::string_view> views(names.begin(), names.end());
   if (std::find(names.begin(), names.end(), given) != names.end()) return;
   const std::string meant = io::did_you_mean(given, views);
-  throw Failure(ExitCode::bad_input, "unknown verb " + io::quoted(given) +
-                                         (meant.empty() ? "; verbs: " + listed : meant));
+  io::refuse("unknown verb " + io::quoted(given) + (meant.empty() ? "; verbs: " + listed : meant));
 }
 
 /// What CLI11 did not know what to do with.
@@ -53,7 +51,7 @@ void refuse_extras(const CLI::App& app, const std::string& command) {
   const std::string& first = extras.front();
   const std::string hint = "see '" + command + " --help'";
   if (!first.starts_with('-')) {
-    throw Failure(ExitCode::bad_input, "unexpected argument " + io::quoted(first) + "; " + hint);
+    io::refuse("unexpected argument " + io::quoted(first) + "; " + hint);
   }
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -61,8 +59,7 @@ void refuse_extras(const CLI::App& app, const std::string& command) {
   }
   const std::vector<std::string_view> views(names.begin(), names.end());
   const std::string meant = io::did_you_mean(first.substr(0, first.find('=')), views);
-  throw Failure(ExitCode::bad_input,
-                "unknown option " + io::quoted(first) + (meant.empty() ? "; " + hint : meant));
+  io::refuse("unknown option " + io::quoted(first) + (meant.empty() ? "; " + hint : meant));
 }
 
 std::string first_line(const std::string& text) {
@@ -81,7 +78,7 @@ Failure bad_command_line(const CLI::ParseError& error, const std::string& comman
 
 void parse_and_work(int argc, char** argv) {
   CLI::App program("Self-organising huddles of soft, warm bodies (Wilson 2017).", "pupflow");
-  program.set_version_flag("--version", "pupflow " PUPFLOW_VERSION, "Print the version and exit");
+  program.set_version_flag("--version", io::program_version(), "Print the version and exit");
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.footer("'pupflow VERB --help' tells what each verb takes.");
   const std::vector<Verb> verbs = add_verbs(program);

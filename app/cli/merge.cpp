@@ -24,7 +24,7 @@ void merge(const MergeOptions& options) {
 
 Verb add_merge(CLI::App& program) {
   CLI::App* app =
-      program.add_subcommand("merge", "Join the shards of a sweep, checked to be complete");
+      program.add_subcommand("merge", "Join the shards of a sweep; refuses an incomplete set");
   const auto options = std::make_shared<MergeOptions>();
   app->add_option("FOLDER", options->folders, "The shards' folders")->option_text(" ")->required();
   app->add_option("--out", options->out, "The folder for the whole")

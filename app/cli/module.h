@@ -6,6 +6,10 @@
 
 namespace pupflow::cli {
 
+/// The files of the two modules.
+constexpr const char* kGraphicsModule = "libpupflow_graphics.so";
+constexpr const char* kMpiModule = "libpupflow_mpi.so";
+
 /// Where the module `file` may be: in the executable's folder (build tree) or the library folder
 /// that belongs to it (installed). Throws
 /// std::filesystem::filesystem_error.

@@ -1,11 +1,11 @@
 // pupflow params: every parameter, for people (text), docs (markdown) and programs (json).
-#include <cmath>
-#include <cstdio>
+#include <algorithm>
+#include <cctype>
 #include <memory>
 
 #include "app/cli/verb.h"
+#include "app/io/json.h"
 #include "app/io/table.h"
-#include "app/io/text.h"
 #include "pupflow/parameters.h"
 
 namespace pupflow::cli {
@@ -13,7 +13,7 @@ namespace {
 
 struct Options {
   Common common;
-  std::string format = "text";
+  std::string format;
 };
 
 std::string_view effect_word(Parameter::Effect effect) {
@@ -99,50 +99,35 @@ std::string markdown(const Params& values, bool with_values) {
   return text;
 }
 
-std::string json_string(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "\"";
-}
-
 std::string json_value(const Parameter& p, double value) {
-  return p.kind == Parameter::Kind::choice ? json_string(format_value(p, value))
-                                           : format_value(p, value);
-}
-
-std::string json_limits(const Parameter& p) {
-  if (p.kind == Parameter::Kind::choice) {
-    std::string names;
-    for (const std::string_view name : p.choices) {
-      names += (names.empty() ? "" : ", ") + json_string(name);
-    }
-    return "\"choices\": [" + names + "]";
-  }
-  const auto limit = [&](double value) {  // JSON has no infinity
-    return std::isfinite(value) ? format_value(p, value) : std::string("null");
-  };
-  return "\"min\": " + limit(p.min) + ", \"min_open\": " + (p.min_open ? "true" : "false") +
-         ", \"max\": " + limit(p.max);
+  return p.kind == Parameter::Kind::choice ? io::json_string(format_value(p, value))
+                                           : io::json_number(value);
 }
 
 std::string json(const Params& values) {
-  std::string text = "[";
+  std::vector<io::JsonObject> rows;
   for (const Parameter& p : parameters()) {
-    const std::pair<std::string_view, std::string_view> words[] = {
-        {"name", p.name}, {"symbol", p.symbol},        {"title", p.title},
-        {"unit", p.unit}, {"group", p.group},          {"source", p.source},
-        {"doc", p.doc},   {"kind", kind_word(p.kind)}, {"effect", effect_word(p.effect)}};
-    text += text.size() > 1 ? ",\n  {" : "\n  {";
-    for (const auto& [key, value] : words) {
-      text += json_string(key) + ": " + json_string(value) + ", ";
+    io::JsonObject row{{"name", io::json_string(p.name)},
+                       {"symbol", io::json_string(p.symbol)},
+                       {"title", io::json_string(p.title)},
+                       {"unit", io::json_string(p.unit)},
+                       {"group", io::json_string(p.group)},
+                       {"source", io::json_string(p.source)},
+                       {"doc", io::json_string(p.doc)},
+                       {"kind", io::json_string(kind_word(p.kind))},
+                       {"effect", io::json_string(effect_word(p.effect))},
+                       {"default", json_value(p, p.default_value())},
+                       {"value", json_value(p, p.get(values))}};
+    if (p.kind == Parameter::Kind::choice) {
+      row.emplace_back("choices", io::json_strings(p.choices));
+    } else {
+      row.emplace_back("min", io::json_number(p.min));
+      row.emplace_back("min_open", io::json_bool(p.min_open));
+      row.emplace_back("max", io::json_number(p.max));
     }
-    text += "\"default\": " + json_value(p, p.default_value()) + ", ";
-    text += "\"value\": " + json_value(p, p.get(values)) + ", " + json_limits(p) + "}";
+    rows.push_back(row);
   }
-  return text + "\n]\n";
+  return io::json_objects(rows);
 }
 
 void work(const Options& options) {
@@ -165,9 +150,7 @@ Verb add_params(CLI::App& program) {
   help.out = "Write the list to a file instead of standard output";
   help.quiet = "Accepted everywhere; the list is all that is printed";
   add_common(*app, options->common, help);
-  app->add_option("--format", options->format, "How to write the list (default text)")
-      ->option_text("text|markdown|json")
-      ->check(CLI::IsMember({"text", "markdown", "json"}));
+  add_format(*app, options->format);
   return {app, [options] { work(*options); }};
 }
 

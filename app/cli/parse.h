@@ -8,8 +8,11 @@
 
 namespace pupflow::cli {
 
-/// "1280x960": width and height, each 16 ... 16384 pixels.
+/// "1280x960": width and height in pixels, within pictures::kSmallestSide ... kLargestSide.
 std::pair<int, int> parse_size(const std::string& option, const std::string& text);
+
+/// Width and height as they are typed.
+std::string size_text(int width, int height);
 
 /// Finite numbers joined by commas, at least one.
 std::vector<double> parse_numbers(const std::string& option, const std::string& text);

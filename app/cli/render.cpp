@@ -7,7 +7,6 @@
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
 #include "app/io/frame_path.h"
-#include "app/view/camera.h"
 
 namespace pupflow::cli {
 namespace {
@@ -22,8 +21,8 @@ struct Options {
   LookOptions look;
   std::string at;
   std::int64_t every = 0;
-  std::string size = "1280x960";
-  std::string camera = "orbit:30,35";
+  std::string size = size_text(pictures::RenderJob{}.width, pictures::RenderJob{}.height);
+  std::string camera = view::Camera::kUsual;
   bool no_bar = false;
 };
 
@@ -56,8 +55,7 @@ void work(const Options& options) {
   job.params = io::set_up(options.common.settings).params;
   job.at = frame_steps(options, job.params);
   std::tie(job.width, job.height) = parse_size("--size", options.size);
-  view::Camera::parse(options.camera);  // throws for a bad one
-  job.camera = options.camera;
+  job.camera = view::Camera::parse(options.camera);
   job.threads = thread_count(options.common);
   job.bar = !options.no_bar;
   job.look = look_of(options.look);
@@ -89,12 +87,14 @@ Verb add_render(CLI::App& program) {
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53))
       ->excludes(at);
-  app->add_option("--size", options->size, "Pixels (default 1280x960)")->option_text("WxH");
+  app->add_option("--size", options->size, "Pixels (default " + options->size + ")")
+      ->option_text("WxH");
   app->add_option("--camera", options->camera,
                   "top, side, or orbit:azimuth,elevation[,distance] in degrees and arena units "
-                  "(default orbit:30,35)")
+                  "(default " +
+                      options->camera + ")")
       ->option_text("CAMERA");
-  app->add_flag("--no-bar", options->no_bar, "Leave out the colour bar");
+  app->add_flag("--no-bar", options->no_bar, "Leave out the legend of the colors");
   add_look(*app, options->look);
   return {app, [options] { work(*options); }};
 }

@@ -1,4 +1,4 @@
-// pupflow report: what the program measures about itself.
+// pupflow report: measurements of the program and the model.
 #include <memory>
 
 #include "app/cli/verb.h"
@@ -6,10 +6,10 @@
 #include "app/io/failure.h"
 #include "app/io/nearest.h"
 #include "app/io/text.h"
-#include "app/report/error.h"
-#include "app/report/error_own.h"
-#include "app/report/stability.h"
-#include "app/report/validation.h"
+#include "app/report/error/error.h"
+#include "app/report/error/own_run.h"
+#include "app/report/stability/stability.h"
+#include "app/report/validation/validation.h"
 
 namespace pupflow::cli {
 namespace {
@@ -25,7 +25,7 @@ constexpr Kind kKinds[] = {{"error", report::report_error, report::report_own_er
                            {"stability", report::report_stability},
                            {"validation", report::report_validation}};
 
-struct Wishes {
+struct ReportOptions {
   std::string kind;
   Common common;  // its `out` is the folder
   std::vector<std::string> observables;
@@ -42,15 +42,14 @@ const Kind& kind_named(const std::string& name) {
     listed += (listed.empty() ? "" : ", ") + std::string(kind.name);
   }
   if (name.empty()) {
-    throw io::Failure(io::ExitCode::bad_input,
-                      "report: which one? " + listed + "; see 'pupflow report --help'");
+    throw io::Failure(io::ExitCode::bad_input, "report: KIND is missing; it is one of " + listed);
   }
   const std::string meant = io::did_you_mean(name, names);
   throw io::Failure(io::ExitCode::bad_input, "unknown report " + io::quoted(name) +
                                                  (meant.empty() ? "; there are " + listed : meant));
 }
 
-/// A word as a shell takes it.
+/// A word, quoted where a shell needs that.
 std::string shell_word(const std::string& word) {
   const bool plain = word.find_first_not_of(
                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -61,60 +60,60 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-/// The words that ask for the same report.
-std::string command_of(const Wishes& wishes) {
-  std::string command = "pupflow report " + wishes.kind;
+/// The command that makes the same report.
+std::string command_of(const ReportOptions& options) {
+  std::string command = "pupflow report " + options.kind;
   const auto add = [&](const std::string& option, const std::string& value) {
     command += (option.empty() ? " " : " " + option + " ") + shell_word(value);
   };
-  const io::Settings& settings = wishes.common.settings;
+  const io::Settings& settings = options.common.settings;
   if (!settings.scene.empty()) add("", settings.scene);
   if (!settings.like.empty()) add("--like", settings.like);
   for (const std::string& set : settings.sets) add("--set", set);
   if (settings.seed) add("--seed", *settings.seed);
   if (settings.steps) add("--steps", *settings.steps);
   if (settings.precision) add("--precision", *settings.precision);
-  for (const std::string& name : wishes.observables) add("--observable", name);
-  if (wishes.seeds > 0) add("--seeds", std::to_string(wishes.seeds));
-  return command + (wishes.quick ? " --quick" : "");
+  for (const std::string& name : options.observables) add("--observable", name);
+  if (options.seeds > 0) add("--seeds", std::to_string(options.seeds));
+  return command + (options.quick ? " --quick" : "");
 }
 
-report::Options options_of(const Wishes& wishes) {
-  report::Options options;
-  options.folder = wishes.common.out.empty() ? "report-" + wishes.kind : wishes.common.out;
-  options.command = command_of(wishes);
-  options.threads = thread_count(wishes.common);
-  options.quick = wishes.quick;
-  options.force = wishes.common.force;
-  options.quiet = wishes.common.quiet;
-  return options;
+report::Options settings_of(const ReportOptions& options) {
+  report::Options settings;
+  settings.folder = options.common.out.empty() ? "report-" + options.kind : options.common.out;
+  settings.command = command_of(options);
+  settings.threads = thread_count(options.common);
+  settings.quick = options.quick;
+  settings.force = options.common.force;
+  settings.quiet = options.common.quiet;
+  return settings;
 }
 
-void work(const Wishes& wishes) {
-  const Kind& kind = kind_named(wishes.kind);
-  const report::Options options = options_of(wishes);
-  const std::string where = "report in " + options.folder + "/report.md\n";
-  const bool own = !wishes.common.settings.empty();
-  if (!own && (wishes.seeds > 0 || !wishes.observables.empty())) {
+void work(const ReportOptions& options) {
+  const Kind& kind = kind_named(options.kind);
+  const report::Options settings = settings_of(options);
+  const std::string where = "report in " + settings.folder + "/report.md\n";
+  const bool own = !options.common.settings.empty();
+  if (!own && (options.seeds > 0 || !options.observables.empty())) {
     throw io::Failure(
         io::ExitCode::bad_input,
-        "--seeds and --observable are about a run of your own; name it, e.g. 'pupflow "
+        "--seeds and --observable need a run of your own; name its scene, e.g. 'pupflow "
         "report error paper --seeds 10'");
   }
   if (!own) {
-    kind.make(options);
-    if (!options.quiet) io::print(where);
+    kind.make(settings);
+    if (!settings.quiet) io::print(where);
     return;
   }
   if (kind.make_own == nullptr) {
     throw io::Failure(io::ExitCode::bad_input,
-                      "report " + wishes.kind +
+                      "report " + options.kind +
                           " has its own scenes; only 'report error' takes a scene or settings");
   }
-  const io::Setup setup = io::set_up(wishes.common.settings);
+  const io::Setup setup = io::set_up(options.common.settings);
   const report::OwnAnswer answer =
-      kind.make_own(options, {setup.params, setup.title, wishes.seeds, wishes.observables});
-  if (!options.quiet) io::print(answer.words + where);
+      kind.make_own(settings, {setup.params, setup.title, options.seeds, options.observables});
+  if (!settings.quiet) io::print(answer.words + where);
   if (!answer.failures.empty()) {
     throw io::Failure(io::ExitCode::bad_numbers, answer.failures);
   }
@@ -125,41 +124,38 @@ void work(const Wishes& wishes) {
 Verb add_report(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "report",
-      "Measure the program, or a run of your own: error against run time, what is stable, and "
-      "what the model does");
-  const auto wishes = std::make_shared<Wishes>();
-  app->add_option("KIND", wishes->kind,
-                  "error: error against run time, scene by scene, or of SCENE; stability: maps of "
-                  "what is stable, and extreme scenes; validation: what the model does, beside "
-                  "what the paper says")
+      "Measure the program, the model or a run of your own: error and run time, stability, "
+      "validation");
+  const auto options = std::make_shared<ReportOptions>();
+  app->add_option("KIND", options->kind,
+                  "error: error against run time, of test scenes or of SCENE; stability: maps of "
+                  "where the method is stable, and extreme scenes; validation: measurements of the "
+                  "model, to compare with the paper")
       ->option_text(" ");
   CommonHelp help;
-  help.settings = "with 'error' alone";
-  help.threads = "Runs at a time where nothing is timed (default: all cores)";
+  help.settings = "only with 'error'";
+  help.threads = "Runs at a time, where they are not timed (default: all cores)";
   help.out = "The folder for report.md, figures and CSV files (default report-KIND)";
-  help.quiet = "No progress, and no word about what came out";
-  add_common(*app, wishes->common, help);
+  help.quiet = "No progress and no summary";
+  add_common(*app, options->common, help);
   app->get_option("--out")->option_text("FOLDER");
-  app->add_flag("--quick", wishes->quick, "Fewer settings, seeds and shorter runs");
-  app->add_option("--observable", wishes->observables,
-                  "With 'error SCENE': which mean it is about, a column of a sweep; repeatable "
+  app->add_flag("--quick", options->quick, "Fewer settings and seeds, and shorter runs");
+  app->add_option("--observable", options->observables,
+                  "With 'error SCENE': the mean to report, a column of a sweep; repeatable "
                   "(default huddling and mean_tb)")
       ->option_text("NAME")
       ->allow_extra_args(false)
       ->take_all();
-  app->add_option("--seeds", wishes->seeds,
+  app->add_option("--seeds", options->seeds,
                   "With 'error SCENE': runs of each setting (default 20, or 5 with --quick)")
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{2}, std::int64_t{1000000}));
   app->footer(
-      "'report error SCENE' (or --set, --like) says how exact that run is, and what half or twice "
-      "the\n"
-      "time would buy: the same seeds with other steps, points, precision, lengths and windows. "
-      "Exit\n"
-      "code 3 when the scene itself goes bad. Times in a report are those of this machine; close "
-      "other\n"
-      "work while it is made.");
-  return {app, [wishes] { work(*wishes); }};
+      "'report error SCENE' (or --set, --like) reports the error of that run, and how it changes\n"
+      "with half or twice the time: the same seeds with other time steps, points, precision, run\n"
+      "lengths and windows. Exit code 3: a run of the scene itself failed. A report has the times\n"
+      "of this machine, so close other programs while it is made.");
+  return {app, [options] { work(*options); }};
 }
 
 }  // namespace pupflow::cli

@@ -68,8 +68,7 @@ void refuse_same_file(const Options& options) {
   const bool both_printed = io::is_standard_output(csv) && io::is_standard_output(options.pups);
   const bool same_name = resolved(csv) == resolved(options.pups);
   if (!both_printed && (!same_name || io::is_stream(csv))) return;
-  throw io::Failure(io::ExitCode::bad_input, "--csv and --pups both go to " + csv +
-                                                 "; their columns differ, so name two files");
+  io::refuse("--csv and --pups both go to " + csv + "; their columns differ, so name two files");
 }
 
 /// One run: steps, and looks at the litter only where somebody asked for what is seen.
@@ -178,8 +177,7 @@ Simulation start_of(const Options& options, std::string& title) {
   }
   const io::Settings& typed = options.common.settings;
   if (!typed.scene.empty() || !typed.like.empty()) {
-    throw io::Failure(
-        io::ExitCode::bad_input,
+    io::refuse(
         "--from brings its own parameters; change them with --set, not with a scene or --like");
   }
   const Snapshot snapshot = io::read_checkpoint(options.from);
@@ -191,7 +189,7 @@ Simulation start_of(const Options& options, std::string& title) {
     throw;
   } catch (const std::logic_error&
                error) {  // parameters that define the litter, or numbers that do not fit
-    throw io::Failure(io::ExitCode::bad_input, options.from + ": " + error.what());
+    io::refuse(options.from + ": " + error.what());
   }
 }
 

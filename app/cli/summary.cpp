@@ -1,7 +1,10 @@
 #include "app/cli/summary.h"
 
 #include <cinttypes>
+#include <string_view>
+#include <vector>
 
+#include "app/io/table.h"
 #include "app/io/text.h"
 
 namespace pupflow::cli {
@@ -21,31 +24,32 @@ std::string means_text(const Simulation& simulation, const Seen& seen) {
         "no means: the run ended at step %lld, and discard = %lld leaves out steps 1 to %lld\n",
         done, discard, discard);
   }
-  const Observables m = means.means();
   const long long first = done - means.count() + 1;  // after --from later than discard + 1
-  std::string text = io::formatted("means over steps %lld to %lld\n", first, done);
-  // Whole, so that they can be held against a sweep's row for the same parameters and seed.
-  const auto line = [&](const char* name, double value, const char* unit = "") {
-    text += io::formatted("  %-24s %s%s\n", name, io::number_text(value).c_str(), unit);
+  std::vector<io::Row> rows;
+  // In full precision, to compare with a sweep's row of the same parameters and seed.
+  const auto add = [&](const std::string& label, double value, std::string_view unit = "") {
+    rows.push_back(
+        {"  " + label, io::number_text(value) + (unit.empty() ? "" : " ") + std::string(unit)});
   };
-  line("mean body temperature", m.mean_tb);
-  line("huddling, 1 - A", m.huddling);
-  line("groups", m.groups);
-  line("pups in largest group", m.largest);
-  const std::string lag =
-      params.flow_lag == 1 ? ""
-                           : io::formatted(", lag %lld", static_cast<long long>(params.flow_lag));
-  line(("pup flow" + lag).c_str(), m.flow, " /s");
-  line("membership flow", m.membership_flow, " /s");
-  line("sd of A over time", means.exposed_sd());
-  if (!seen.overlap) return text;
+  const Observables m = means.means();
+  for (const ObservableField& field : observables()) {
+    const bool lagged = field.observable == Observable::flow && params.flow_lag != 1;
+    add(std::string(field.label) + (lagged ? ", lag " + std::to_string(params.flow_lag) : ""),
+        m.*field.value, field.unit);
+  }
+  add(std::string(run_statistics()[kExposedSd].label), means.exposed_sd());
+  const std::string title = io::formatted("means over steps %lld to %lld\n", first, done);
+  if (!seen.overlap) return title + io::aligned(rows);
   const Overlap& o = *seen.overlap;
-  text += io::formatted("overlap of bodies, every %dth of these steps\n", kOverlapEvery);
-  line("nearest centres apart", o.nearest);
-  line("closest ever", o.least);
-  line("points inside another", o.inside);
-  line("exposed share of those", o.inside_exposed);
-  return text;
+  const std::string text =
+      title + io::aligned(rows) +
+      io::formatted("overlap of bodies, every %dth of these steps\n", kOverlapEvery);
+  rows.clear();
+  add("nearest centres apart", o.nearest);
+  add("closest ever", o.least);
+  add("points inside another", o.inside);
+  add("exposed share of those", o.inside_exposed);
+  return text + io::aligned(rows);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What `run` tells people at its end.
+// The summary at the end of `run`.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@ namespace pupflow::cli {
 /// A few words about the litter of `params`, e.g. for a first line.
 std::string litter_words(const Params& params);
 
-/// Overlap is measured once in so many steps, since it takes as long as some ten of them.
+/// Overlap is measured once in so many steps, since that takes as long as about ten steps.
 constexpr int kOverlapEvery = 10;
 
-/// What was seen of a run.
+/// The measurements of a run.
 struct Seen {
   const RunMeans& means;
-  std::optional<Overlap> overlap;  // means, where it was asked for
+  std::optional<Overlap> overlap;  // means; empty where it was not measured
 };
 
-/// The run's means (or why there are none), status, warnings, hash and speed; `seconds` is the time
-/// it took.
+/// The run's means (or why there are none), status, warnings, hash and speed. `seconds` is its wall
+/// time.
 std::string run_summary(const std::string& title, const Simulation& simulation, const Seen& seen,
                         double seconds);
 

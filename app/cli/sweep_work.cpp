@@ -50,9 +50,8 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
   app.footer(
       "Finished runs are kept. After Ctrl-C, a full disk or a crash, the same command computes "
       "the\n"
-      "missing runs. A folder that holds another sweep is refused. Exit code 3: the numbers of a "
-      "run\n"
-      "went wrong. Its row says where; the means leave it out.");
+      "missing runs. A folder that holds another sweep is refused. Exit code 3: a run failed. Its\n"
+      "row has the status, and it is not in the means.");
 }
 
 void run_sweep_verb(const SweepOptions& options, const std::string& name) {

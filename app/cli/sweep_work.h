@@ -1,4 +1,4 @@
-// What the verbs that compute or join sweeps share: options, computation, report.
+// What the verbs that compute or join sweeps share: options, computation, summary.
 #pragma once
 
 #include <string>
@@ -21,11 +21,11 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
 
 /// Computes the missing runs of the sweep, on all ranks of the job, and reports on rank 0. `name`
 /// is the name of its picture and of its default folder. Throws io::Failure: bad_numbers if runs
-/// went wrong.
+/// failed.
 void run_sweep_verb(const SweepOptions& options, const std::string& name);
 
 /// Prints the summary of a finished sweep, unless `quiet`. Throws io::Failure(bad_numbers) if runs
-/// went wrong.
+/// failed.
 void report_sweep(const study::Design& design, const study::SweepResult& result,
                   const std::string& folder, bool quiet);
 

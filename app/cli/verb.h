@@ -25,6 +25,7 @@ Verb add_sweep(CLI::App& program);
 Verb add_merge(CLI::App& program);
 Verb add_compare(CLI::App& program);
 Verb add_params(CLI::App& program);
+Verb add_fields(CLI::App& program);
 Verb add_explain(CLI::App& program);
 Verb add_report(CLI::App& program);
 Verb add_doctor(CLI::App& program);
@@ -55,6 +56,9 @@ void add_common(CLI::App& verb, Common& common, const CommonHelp& help);
 
 /// Declares --flow-lag, for verbs that report pup flow.
 void add_flow_lag(CLI::App& verb, Common& common);
+
+/// Declares --format text|markdown|json, for verbs that print a table; text where it is not given.
+void add_format(CLI::App& verb, std::string& format);
 
 /// The threads asked for, or one for each core.
 int thread_count(const Common& common);

@@ -2,8 +2,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace pupflow::context {
+
+/// What came of looking for a context.
+struct ContextReport {
+  bool works = false;
+  std::string chosen;              // e.g. "EGL surfaceless"
+  std::string renderer, version;   // GL_RENDERER, GL_VERSION
+  std::vector<std::string> tried;  // one line per attempt with its outcome
+};
 
 /// An OpenGL 3.3 core context with its functions loaded. Current on the making thread; destroyed
 /// after everything that was made in it.

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "app/context/context.h"
-#include "app/context/report.h"
 
 struct GLFWwindow;
 
@@ -12,7 +11,7 @@ namespace pupflow::context {
 
 struct WindowOptions {
   std::string title = "pupflow";
-  int width = 1400, height = 900;  // screen coordinates
+  int width = 640, height = 480;  // screen coordinates
   bool visible = true;
 };
 

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "app/context/context.h"
-#include "app/context/report.h"
 
 namespace pupflow::context {
 

@@ -7,7 +7,7 @@ namespace pupflow::gl {
 
 namespace {
 
-// Brightness at a sphere's outline. Its middle has exactly the colour of the bar.
+// Brightness at a sphere's outline. Its middle has exactly the color of the bar.
 constexpr float kEdgeShade = 0.45f;
 constexpr GLint kWallSegments = 256, kPlaneSegments = 32;
 

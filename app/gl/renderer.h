@@ -18,7 +18,7 @@ struct Viewport {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Colours of what is no pup.
+/// Colors of what is no pup.
 struct Palette {
   view::Rgb background{255, 255, 255};
   view::Rgb floor{226, 228, 231};

@@ -1,4 +1,4 @@
-// An off-screen framebuffer: a colour texture and a depth buffer.
+// An off-screen framebuffer: a color texture and a depth buffer.
 #pragma once
 
 #include "app/gl/object.h"
@@ -20,11 +20,11 @@ class Target {
   /// Binds it for drawing.
   void bind() const;
 
-  /// Copies its colours, pixel by pixel, to (x, y) (lower left) of `framebuffer`, which stays bound
+  /// Copies its colors, pixel by pixel, to (x, y) (lower left) of `framebuffer`, which stays bound
   /// for drawing.
   void copy_to(GLuint framebuffer, int x, int y) const;
 
-  /// Its colours as a picture.
+  /// Its colors as a picture.
   io::Image read() const;
 
  private:

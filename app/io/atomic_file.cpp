@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
 
 #include "app/io/failure.h"
+#include "app/io/text.h"
 
 namespace pupflow::io {
 namespace {
@@ -31,10 +31,8 @@ int named_descriptor(const std::string& path) {
   if (path == "/dev/stderr") return STDERR_FILENO;
   for (const std::string_view prefix : {"/dev/fd/", "/proc/self/fd/"}) {
     if (!path.starts_with(prefix)) continue;
-    int number = -1;
-    const char* end = path.data() + path.size();
-    const auto [stop, error] = std::from_chars(path.data() + prefix.size(), end, number);
-    if (error == std::errc{} && stop == end) return number;
+    const auto number = read_number<int>(std::string_view(path).substr(prefix.size()));
+    if (number) return *number;
   }
   return -1;
 }

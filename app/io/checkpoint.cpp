@@ -66,8 +66,7 @@ Snapshot read_checkpoint(const std::string& path) {
   const auto kind =
       std::find(entries.begin(), entries.end(), std::pair<std::string, std::string>("kind", kKind));
   if (kind == entries.end()) {
-    throw Failure(ExitCode::bad_input,
-                  path + ": is no checkpoint; 'pupflow run --checkpoint FILE' writes one");
+    refuse(path + ": is no checkpoint; 'pupflow run --checkpoint FILE' writes one");
   }
   Snapshot snapshot;
   snapshot.params = params_from(entries, path);
@@ -86,7 +85,7 @@ Snapshot read_checkpoint(const std::string& path) {
   const std::vector<double> clock = file.numbers("clock");
   const auto is_step = [](double number) { return number >= 0 && number <= 9e15; };
   if (clock.size() != 3 || !is_step(clock[0]) || !is_step(clock[1])) {
-    throw Failure(ExitCode::bad_input, path + ": is no checkpoint: its clock makes no sense");
+    refuse(path + ": is no checkpoint: its clock makes no sense");
   }
   snapshot.step = static_cast<std::int64_t>(clock[0]);
   snapshot.clock = {static_cast<std::int64_t>(clock[1]), clock[2]};

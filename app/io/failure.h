@@ -26,4 +26,9 @@ class Failure : public std::runtime_error {
   ExitCode code_;
 };
 
+/// Throws Failure(bad_input).
+[[noreturn]] inline void refuse(const std::string& message) {
+  throw Failure(ExitCode::bad_input, message);
+}
+
 }  // namespace pupflow::io

@@ -25,8 +25,7 @@ Place find_place(const std::string& pattern) {
     place.digits = static_cast<std::size_t>(rest[1] - '0');
   }
   if (place.length == 0 || pattern.find('%', place.begin + 1) != std::string::npos) {
-    throw Failure(ExitCode::bad_input,
-                  pattern + ": a file name may hold one %d or %0Nd (N = 1 ... 9), and no other %");
+    refuse(pattern + ": a file name may hold one %d or %0Nd (N = 1 ... 9), and no other %");
   }
   return place;
 }

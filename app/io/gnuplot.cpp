@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <sstream>
 
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
@@ -19,9 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kNotInstalled = 127;  // as a shell says it
+constexpr int kNotInstalled = 127;  // a shell's exit status for a command that is not found
 
-/// Names for what gnuplot writes, in the drawing's folder; the files are removed at the end.
+/// Names of the files that gnuplot writes into the drawing's folder. They are removed at the end.
 struct Temporary {
   std::string name = ".pupflow-" + std::to_string(::getpid()), base;
 
@@ -36,7 +37,7 @@ struct Temporary {
 
 /// Runs gnuplot on `script` inside `folder` and returns its exit status.
 int run_gnuplot(const std::string& folder, const std::string& script, const Temporary& temporary) {
-  // A shell changes the folder; names go to it as arguments, never as program text.
+  // A shell changes the folder. Names are arguments of it, never part of its program text.
   std::string words[] = {
       "sh",          "-c",   "cd -- \"$1\" && exec gnuplot -e \"name='$3'\" \"$2\" 2>\"$3.log\"",
       "sh",          folder, script,
@@ -53,7 +54,7 @@ int run_gnuplot(const std::string& folder, const std::string& script, const Temp
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// What gnuplot complained about: the line that says it.
+/// The last line of what gnuplot wrote on standard error.
 std::string complaint(const Temporary& temporary) {
   std::string text;
   try {
@@ -65,7 +66,7 @@ std::string complaint(const Temporary& temporary) {
   return text.empty() ? "it left no message" : text.substr(text.rfind('\n') + 1);
 }
 
-/// Puts both pictures in their places, with what is needed to make them again.
+/// Writes both pictures to their final names, with the text that tells how to make them again.
 void publish(const Temporary& temporary, const Drawing& drawing) {
   const std::string target = drawing.folder + "/" + drawing.name;
   write_png(target + ".png", read_png(temporary.base + ".png"), drawing.text, true);
@@ -82,6 +83,23 @@ void publish(const Temporary& temporary, const Drawing& drawing) {
 }
 
 }  // namespace
+
+std::string gnuplot_script(const std::string& name, const std::string& source, int width,
+                           int height, const std::string& body) {
+  std::ostringstream s;
+  s << "# Draws " << name << ".png and " << name << ".svg from " << source << ".\n"
+    << "# Run it again after editing:  gnuplot " << name << ".gp  (in this folder)\n"
+    << "if (!exists('name')) name = '" << name << "'\n"
+    << "set datafile separator ','\nset datafile commentschars '#'\nset datafile columnheaders\n"
+    << "set encoding utf8\nset border 3 lc '#444444'\nset tics nomirror out textcolor '#222222'\n"
+    << "do for [format in 'png svg'] {\n"
+    << "  if (format eq 'png') {\n    set terminal pngcairo size " << width << ',' << height
+    << " font 'DejaVu Sans,11'\n  } else {\n    set terminal svg size " << width << ',' << height
+    << " font 'DejaVu Sans,11' background '#ffffff'\n  }\n"
+    << "  set output name.'.'.format\n"
+    << body << "  unset output\n}\n";
+  return s.str();
+}
 
 Drawn draw(const Drawing& drawing) {
   const std::string script = drawing.name + ".gp";

@@ -7,7 +7,14 @@
 
 namespace pupflow::io {
 
-/// One script and the two pictures that it makes.
+/// The text of NAME.gp, which draws NAME.png and NAME.svg. `body` holds the plot commands, each line
+/// indented by two spaces; they run once for either picture. `source` names what they read, e.g.
+/// "summary.csv". CSV files have a line of column names, and comments that begin with #. `width` and
+/// `height` are the size of both pictures in pixels.
+std::string gnuplot_script(const std::string& name, const std::string& source, int width,
+                           int height, const std::string& body);
+
+/// A script in a folder, and what its two pictures carry.
 struct Drawing {
   std::string folder;
   std::string name;  // of NAME.gp, the script in that folder, and of NAME.png and NAME.svg
@@ -17,16 +24,15 @@ struct Drawing {
 
 enum class Drawn { done, no_gnuplot, interrupted };
 
-/// Runs the script in its folder. It must write files named by gnuplot's variable `name`, to which
-/// ".png" and ".svg" are added; both replace what is there, whole or not at all. Throws
-/// Failure(bad_file) when gnuplot fails, with what it complained about, or a picture cannot be
-/// written.
+/// Runs the script in its folder. It must write the files `name`.png and `name`.svg, where `name` is
+/// a variable of gnuplot that is set here. Each replaces the earlier file whole or not at all.
+/// Throws Failure(bad_file) when gnuplot fails, with its message, or a picture cannot be written.
 Drawn draw(const Drawing& drawing);
 
-/// What to tell where there is no gnuplot: why, what to install, and how to draw then.
+/// The message where gnuplot is not installed: what to install, and how to draw then.
 std::string no_gnuplot_text(const Drawing& drawing);
 
-/// Nine stops of viridis (CC0, van der Walt & Smith) as a gnuplot command, a line.
+/// A gnuplot command, one line: the color map viridis (CC0, van der Walt & Smith) by nine stops.
 extern const char* const kViridisPalette;
 
 }  // namespace pupflow::io

@@ -99,8 +99,7 @@ std::vector<T> Hdf5Reader::read(const std::string& name, hid_t type) const {
   const Handle space(set < 0 ? hid_t{-1} : H5Dget_space(set), H5Sclose);
   const hssize_t count = space < 0 ? -1 : H5Sget_simple_extent_npoints(space);
   if (count < 0) {
-    throw Failure(ExitCode::bad_input,
-                  path_ + ": is no checkpoint: there is no " + quoted(name) + " in it");
+    refuse(path_ + ": is no checkpoint: there is no " + quoted(name) + " in it");
   }
   std::vector<T> values(static_cast<std::size_t>(count));
   if (count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/io/text.h"
 #include "pupflow/instruction_set.h"
 
 namespace pupflow::io {
@@ -34,13 +35,9 @@ std::string compiler_words() {
 }
 
 std::string kernel_words() {
-  std::string others;
   const auto sets = supported_instruction_sets();
-  for (const InstructionSet set : sets) {
-    others += (others.empty() ? "" : ", ") + std::string(instruction_set_name(set));
-  }
-  return std::string(instruction_set_name(sets.back())) + " (of " + others +
-         "; the results are the same)";
+  return std::string(instruction_set_name(sets.back())) + " (of " +
+         joined(sets, ", ", instruction_set_name) + "; the results are the same)";
 }
 
 std::string cpu_name() {

@@ -2,21 +2,52 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <span>
+#include <stdexcept>
+#include <string_view>
 
-#include "app/io/checkpoint.h"
-#include "app/io/csv.h"
 #include "app/io/failure.h"
-#include "app/io/read_file.h"
+#include "app/io/text.h"
+#include "pupflow/version.h"
 
 namespace pupflow::io {
+namespace {
 
-std::string version() {
-  return PUPFLOW_VERSION;
+/// Entries that stand before parameters or among them: the version, a sweep's design (its manifest
+/// is TOML, with "software" in small letters), and what HDF5 files say of themselves (their
+/// attributes are read in the order of the alphabet).
+constexpr std::string_view kBetween[] = {"Software", "software", "name",        "vary", "seeds",
+                                         "runs",     "shard",    "ended early", "kind", "layout"};
+
+/// The first of the entries behind the parameters, which tell of the output itself: of a picture,
+/// of a report's file, of a sweep's figure.
+constexpr std::string_view kBehind[] = {"picture", "command", "manifest"};
+
+bool is_one_of(std::span<const std::string_view> names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Throws Failure(bad_input) when there is a parameter that this version does not know.
+void refuse_unknown_parameter(const TextEntries& entries, const std::string& where) {
+  for (const auto& [name, value] : entries) {
+    if (is_one_of(kBehind, name)) return;
+    if (is_one_of(kBetween, name) || find_parameter(name)) continue;
+    refuse(where + ": this version has no parameter " + quoted(name));
+  }
+}
+
+}  // namespace
+
+std::string program_version() {
+  return "pupflow " + std::string(version_text());
 }
 
 TextEntries provenance(const Params& params, const TextEntries& extra) {
+  if (!extra.empty() && !is_one_of(kBehind, extra.front().first)) {
+    throw std::logic_error("'" + extra.front().first + "' would be read as a parameter");
+  }
   // "Software" is the keyword that the PNG standard has for it.
-  TextEntries entries{{"Software", "pupflow " PUPFLOW_VERSION}};
+  TextEntries entries{{"Software", program_version()}};
   for (const Parameter& parameter : parameters()) {
     entries.emplace_back(parameter.name, format_value(parameter, params));
   }
@@ -34,10 +65,9 @@ Params params_from(const TextEntries& entries, const std::string& where) {
     return entry != entries.end() && entry->second.starts_with("pupflow ");
   };
   if (!is_ours("Software") && !is_ours("software")) {
-    throw Failure(
-        ExitCode::bad_input,
-        where + ": does not say that pupflow wrote it, so it holds no parameters to take");
+    refuse(where + ": does not say that pupflow wrote it, so it holds no parameters to take");
   }
+  refuse_unknown_parameter(entries, where);
   Params params;
   std::vector<const Parameter*> missing;
   for (const Parameter& parameter : parameters()) {
@@ -48,7 +78,7 @@ Params params_from(const TextEntries& entries, const std::string& where) {
     }
     Problem problem;
     if (!parse_value(parameter, entry->second, params, problem)) {
-      throw Failure(ExitCode::bad_input, where + ": " + problem.message);
+      refuse(where + ": " + problem.message);
     }
   }
   take_as_before(missing, where, params);
@@ -58,21 +88,12 @@ Params params_from(const TextEntries& entries, const std::string& where) {
 void take_as_before(const std::vector<const Parameter*>& missing, const std::string& where,
                     Params& params) {
   if (missing.empty()) return;
-  std::string taken;
-  for (const Parameter* parameter : missing) {
-    parameter->set(params, parameter->before);
-    taken += (taken.empty() ? "" : ", ") + std::string(parameter->name) + " = " +
-             format_value(*parameter, params);
-  }
+  for (const Parameter* parameter : missing) parameter->set(params, parameter->before);
+  const std::string taken = joined(missing, ", ", [&](const Parameter* parameter) {
+    return std::string(parameter->name) + " = " + format_value(*parameter, params);
+  });
   std::fprintf(stderr, "pupflow: note: %s was written by an older version; taking %s\n",
                where.c_str(), taken.c_str());
-}
-
-Params params_of_file(const std::string& path) {
-  const std::string beginning = read_beginning(path, 8);
-  if (beginning == "\x89PNG\r\n\x1a\n") return params_from(read_png_text(path), path);
-  if (beginning == "\x89HDF\r\n\x1a\n") return params_from(read_hdf5_text(path), path);
-  return params_from(read_csv_header(path), path);
 }
 
 }  // namespace pupflow::io

@@ -9,16 +9,18 @@
 
 namespace pupflow::io {
 
-/// The program's version.
-std::string version();
+/// "pupflow" and the version.
+std::string program_version();
 
 /// Program version, then every parameter (the seed among them) by name; values read back to the
-/// same parameters. `extra` entries (e.g. the step of a picture) follow.
+/// same parameters. `extra` entries (e.g. the step of a picture) follow; the first of them must be
+/// called picture, command or manifest, which ends the parameters for who reads them. Throws
+/// std::logic_error otherwise.
 TextEntries provenance(const Params& params, const TextEntries& extra = {});
 
-/// The parameters in such entries; entries that are no parameters are skipped. A parameter that is
-/// missing takes its value by take_as_before. Throws Failure(bad_input), naming `where`, when the
-/// entries were not written by this program or a value is bad.
+/// The parameters in such entries. A parameter that is missing takes its value by take_as_before.
+/// Throws Failure(bad_input), naming `where`, when the entries were not written by this program, a
+/// value is bad, or there is a parameter that this version does not know.
 Params params_from(const TextEntries& entries, const std::string& where);
 
 /// Sets the parameters `missing` in a file of an older version to what that version did
@@ -26,9 +28,5 @@ Params params_from(const TextEntries& entries, const std::string& where);
 /// missing.
 void take_as_before(const std::vector<const Parameter*>& missing, const std::string& where,
                     Params& params);
-
-/// The parameters that made `path`, a PNG, CSV or HDF5 file written by this program. Throws
-/// Failure.
-Params params_of_file(const std::string& path);
 
 }  // namespace pupflow::io

@@ -138,20 +138,14 @@ Scene load_scene(const std::string& scene, std::vector<std::string>& problems) {
   }
   std::error_code ignored;
   if (std::filesystem::exists(scene, ignored)) {
-    throw Failure(ExitCode::bad_input,
-                  io::quoted(scene) +
-                      ": a scene file is given as a path with '/' or ending in .toml, an "
-                      "output of this program with --like");
+    refuse(io::quoted(scene) +
+           ": a scene file is given as a path with '/' or ending in .toml, an "
+           "output of this program with --like");
   }
   std::vector<std::string_view> names;
-  std::string listed;
-  for (const ShippedScene& s : shipped) {
-    names.push_back(s.name);
-    listed += (listed.empty() ? "" : ", ") + std::string(s.name);
-  }
-  throw Failure(ExitCode::bad_input,
-                "no scene " + io::quoted(scene) + did_you_mean(scene, names) + " (shipped: " +
-                    listed + "; a scene file is given as a path with '/' or ending in .toml)");
+  for (const ShippedScene& s : shipped) names.push_back(s.name);
+  refuse("no scene " + io::quoted(scene) + did_you_mean(scene, names) + " (shipped: " +
+         joined(names, ", ") + "; a scene file is given as a path with '/' or ending in .toml)");
 }
 
 }  // namespace pupflow::io

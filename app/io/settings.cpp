@@ -4,7 +4,7 @@
 
 #include "app/io/failure.h"
 #include "app/io/nearest.h"
-#include "app/io/provenance.h"
+#include "app/io/params_of_file.h"
 #include "app/io/scene_file.h"
 #include "app/io/text.h"
 
@@ -42,12 +42,6 @@ void take_set(const std::string& set, Params& params, std::vector<std::string>& 
   take("--set", set.substr(0, equals), set.substr(equals + 1), params, problems);
 }
 
-[[noreturn]] void fail_with(const std::vector<std::string>& problems) {
-  std::string lines;
-  for (const std::string& problem : problems) lines += (lines.empty() ? "" : "\n") + problem;
-  throw Failure(ExitCode::bad_input, lines);
-}
-
 }  // namespace
 
 bool Settings::empty() const {
@@ -57,8 +51,7 @@ bool Settings::empty() const {
 
 Setup set_up(const Settings& settings, const Params& base) {
   if (!settings.scene.empty() && !settings.like.empty()) {
-    throw Failure(ExitCode::bad_input,
-                  "a scene and --like both give a whole parameter set; use one of them");
+    refuse("a scene and --like both give a whole parameter set; use one of them");
   }
   Setup setup{base, {}, {}};
   std::vector<std::string> problems;
@@ -77,7 +70,7 @@ Setup set_up(const Settings& settings, const Params& base) {
   shortcut("--precision", "precision", settings.precision);
   shortcut("--flow-lag", "flow_lag", settings.flow_lag);
   for (const Problem& problem : check(setup.params)) problems.push_back(problem.message);
-  if (!problems.empty()) fail_with(problems);
+  if (!problems.empty()) refuse(joined(problems, "\n"));
   return setup;
 }
 

@@ -13,6 +13,16 @@ std::size_t width(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (c & '\xC0') != '\x80'; }));
 }
 
+/// `cell` with its bars escaped: a bar ends a cell, even within a code span.
+std::string escaped(const std::string& cell) {
+  std::string text;
+  for (const char c : cell) {
+    if (c == '|') text += '\\';
+    text += c;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string aligned(const std::vector<Row>& rows) {
@@ -37,7 +47,8 @@ std::string aligned(const std::vector<Row>& rows) {
 std::string markdown_table(const std::vector<Row>& rows) {
   std::string text;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (const std::string& cell : rows[i]) text += "| " + cell + (cell.empty() ? "" : " ");
+    for (const std::string& cell : rows[i])
+      text += "| " + escaped(cell) + (cell.empty() ? "" : " ");
     text += "|\n";
     if (i > 0) continue;
     for (std::size_t column = 0; column < rows[0].size(); ++column) text += "|---";

@@ -1,7 +1,6 @@
 #include "app/io/text.h"
 
 #include <array>
-#include <charconv>
 #include <cstdarg>
 #include <cstdio>
 
@@ -18,6 +17,16 @@ std::string number_text(double value) {
   std::array<char, 32> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   return {buffer.data(), end};
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
 }
 
 std::string formatted(const char* pattern, ...) {

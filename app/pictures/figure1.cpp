@@ -1,11 +1,8 @@
 #include "app/pictures/figure1.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <mutex>
-#include <thread>
 
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
@@ -13,10 +10,12 @@
 #include "app/io/progress.h"
 #include "app/io/provenance.h"
 #include "app/io/text.h"
-#include "app/pictures/studio.h"
+#include "app/pictures/picture.h"
 #include "app/view/canvas.h"
 #include "app/view/color_bar.h"
+#include "app/view/framing.h"
 #include "app/view/text.h"
+#include "pupflow/ensemble.h"
 
 namespace pupflow::pictures {
 
@@ -30,81 +29,46 @@ std::vector<Simulation> litters(const Figure1Job& job) {
   for (const double ta : job.ta) {
     Params params = job.params;
     params.ambient_temperature = ta;
-    list.push_back(unobserved_litter(params));
+    list.push_back(observed_litter(params, *job.look.scale.field));
   }
   return list;
 }
 
-/// Runs all litters to the end, on as many threads as help.
-class Runs {
- public:
-  Runs(std::vector<Simulation>& litters, const Figure1Job& job)
-      : litters_(litters),
-        steps_(job.params.steps),
-        threads_(job.threads > 0 ? static_cast<unsigned>(job.threads)
-                                 : std::max(1u, std::thread::hardware_concurrency())),
-        progress_("figure1", steps_ * static_cast<std::int64_t>(litters.size()), job.output.quiet) {
-  }
-
-  /// Throws what the first failing litter (in their order) threw.
-  void run() {
-    failures_.resize(litters_.size());
-    const std::size_t threads = std::min<std::size_t>(threads_, litters_.size());
-    {
-      std::vector<std::jthread> workers;
-      for (std::size_t i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });
-    }
-    for (const std::exception_ptr& failure : failures_) {
-      if (failure) std::rethrow_exception(failure);
-    }
-  }
-
- private:
-  void work() {
-    for (std::size_t i = next_++; i < litters_.size(); i = next_++) {
-      try {
-        run_one(litters_[i]);
-      } catch (...) {
-        failures_[i] = std::current_exception();
-      }
-    }
-  }
-
-  void run_one(Simulation& litter) {
-    constexpr std::int64_t kAtOnce = 25;
-    while (litter.steps_done() < steps_) {
+/// Runs all litters to the end, side by side on the threads that were asked for. Throws
+/// Failure(bad_numbers) when the numbers of a litter go wrong, and after Ctrl-C.
+void run_all(std::vector<Simulation>& litters, const Figure1Job& job) {
+  constexpr std::int64_t kAtOnce = 25;
+  const auto count = static_cast<std::int64_t>(litters.size());
+  io::Progress progress("figure1", job.params.steps * count, job.output.quiet);
+  std::mutex mutex;  // for progress and done
+  std::int64_t done = 0;
+  for_each_index(count, job.threads, [&](std::int64_t i) {
+    Simulation& litter = litters[static_cast<std::size_t>(i)];
+    while (litter.steps_done() < job.params.steps) {
       if (io::interrupted()) {
         throw io::Failure(io::ExitCode::interrupted, "interrupted; no figure was written");
       }
-      const std::int64_t count = std::min(kAtOnce, steps_ - litter.steps_done());
-      const Status status = litter.run(count);
+      const std::int64_t steps = std::min(kAtOnce, job.params.steps - litter.steps_done());
+      const Status status = litter.run(steps);
       if (!status.ok()) {
         throw io::Failure(io::ExitCode::bad_numbers,
                           "ta = " + io::number_text(litter.params().ambient_temperature) + ": " +
                               status.message());
       }
-      const std::lock_guard lock(mutex_);
-      done_ += count;
-      progress_.update(done_);
+      const std::lock_guard lock(mutex);
+      progress.update(done += steps);
     }
-  }
-
-  std::vector<Simulation>& litters_;
-  std::int64_t steps_, done_ = 0;
-  unsigned threads_;
-  std::vector<std::exception_ptr> failures_;
-  std::atomic<std::size_t> next_ = 0;
-  std::mutex mutex_;  // for done_ and progress_
-  io::Progress progress_;
-};
+  });
+}
 
 /// Where everything goes, in pixels.
 struct Layout {
   int panel, margin, title, columns, rows;
   double text;
   view::ColorBarStyle bar_style;
+  view::ColorBarMargins bar_margins;
 
-  Layout(int edge, int panels) : panel(edge) {
+  Layout(int edge, int panels, const view::ColorScale& scale) : panel(edge) {
     constexpr int kPanelsAcross = 4;
     rows = (panels + kPanelsAcross - 1) / kPanelsAcross;
     columns = (panels + rows - 1) / rows;
@@ -113,6 +77,7 @@ struct Layout {
     title = static_cast<int>(std::lround(1.7 * text));
     bar_style.text_size = 0.72 * text;
     bar_style.ink = kInk;
+    bar_margins = view::color_bar_margins(scale, bar_style);
   }
 
   int cell_width() const { return panel + margin; }
@@ -124,54 +89,74 @@ struct Layout {
   int bar_width() const { return static_cast<int>(std::lround(text)); }
   view::Box bar_box() const {
     const int inset = panel / 12;
-    return {margin + columns * cell_width() + view::color_bar_margins(bar_style).left,
-            margin + title + inset, bar_width(), (rows - 1) * cell_height() + panel - 2 * inset};
+    return {margin + columns * cell_width() + bar_margins.left, margin + title + inset, bar_width(),
+            (rows - 1) * cell_height() + panel - 2 * inset};
   }
   int width() const {
     const view::Box bar = bar_box();
-    return bar.x + bar.width + view::color_bar_margins(bar_style).right + margin;
+    return bar.x + bar.width + bar_margins.right + margin;
   }
   int height() const { return margin + rows * cell_height(); }
 };
 
-io::Image compose(const Figure1Job& job, const std::vector<Simulation>& litters, Studio& studio) {
-  const Layout layout(job.panel, static_cast<int>(litters.size()));
+/// The look's scale, fitted to all litters.
+view::ColorScale common_scale(const Look& look, const std::vector<Simulation>& litters) {
+  std::vector<double> all;
+  for (const Simulation& litter : litters) {
+    const std::vector<double> values = look.scale.field->values(litter);
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  return look.scale.fitted(all);
+}
+
+io::Image compose(const Figure1Job& job, const std::vector<Simulation>& litters,
+                  const view::ColorScale& scale, gl::Renderer& renderer) {
+  const Layout layout(job.panel, static_cast<int>(litters.size()), job.look.scale);
   io::Image figure(layout.width(), layout.height());
   view::fill(figure, {0, 0, figure.width, figure.height}, kPaper);
   view::TextPainter text;
+  view::DrawList list;
   for (std::size_t i = 0; i < litters.size(); ++i) {
     const view::Box box = layout.panel_box(static_cast<int>(i));
-    const view::Camera camera = framed_camera("top", litters[i].params(), 1);
-    view::blit(figure, studio.shoot(litters[i], camera, box.width, box.height), box.x, box.y);
+    const view::Camera camera = view::framed(view::Camera::parse("top"), litters[i].params(), 1);
+    list.update(litters[i], scale, camera);
+    renderer.upload(list);
+    view::blit(figure, renderer.picture(camera, box.width, box.height, job.look.supersample), box.x,
+               box.y);
     text.draw(figure, box.x + box.width / 2.0, box.y - 0.45 * layout.text,
               view::symbol("T", "a") +
                   (" = " + view::tick_label(litters[i].params().ambient_temperature)),
               layout.text, kInk, view::Align::centre);
   }
-  view::draw_color_bar(figure, text, layout.bar_box(), studio.scale(),
-                       job.params.preferred_temperature, layout.bar_style);
+  view::draw_color_bar(figure, text,
+                       view::lay_out_color_bar(layout.bar_box(), layout.bar_margins, scale,
+                                               job.params.preferred_temperature, layout.bar_style),
+                       kInk);
   return figure;
 }
 
 }  // namespace
 
 void figure1(const Figure1Job& job) {
-  constexpr int kSmallest = 120, kLargest = 4096;
-  if (job.panel < kSmallest || job.panel > kLargest) {
-    throw io::Failure(io::ExitCode::bad_input, "a panel's edge must be 120 ... 4096 pixels, not " +
+  check_samples(job.look.supersample);
+  if (job.panel < kSmallestPanel || job.panel > kLargestPanel) {
+    throw io::Failure(io::ExitCode::bad_input, "a panel's edge must be " +
+                                                   std::to_string(kSmallestPanel) + " ... " +
+                                                   std::to_string(kLargestPanel) + " pixels, not " +
                                                    std::to_string(job.panel));
   }
   io::refuse_existing(job.output.path, job.output.force);
   std::vector<Simulation> list = litters(job);
-  Studio studio(job.look);
-  Runs(list, job).run();
+  const Headless headless(job.look);
+  run_all(list, job);
 
   std::string panels;
   for (const double ta : job.ta) panels += (panels.empty() ? "" : ",") + io::number_text(ta);
-  io::TextEntries extra = look_entries(job.look);
+  const view::ColorScale scale = common_scale(job.look, list);
+  io::TextEntries extra = look_entries(scale, job.look.supersample);
   extra.insert(extra.begin(), {{"picture", "figure1"}, {"panels_ta", panels}});
-  io::write_png(job.output.path, compose(job, list, studio), io::provenance(job.params, extra),
-                job.output.force);
+  io::write_png(job.output.path, compose(job, list, scale, *headless.renderer),
+                io::provenance(job.params, extra), job.output.force);
 }
 
 }  // namespace pupflow::pictures

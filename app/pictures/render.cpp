@@ -9,8 +9,8 @@
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
 #include "app/io/provenance.h"
-#include "app/pictures/frame.h"
-#include "app/pictures/studio.h"
+#include "app/pictures/picture.h"
+#include "app/view/framing.h"
 
 namespace pupflow::pictures {
 
@@ -52,13 +52,12 @@ class Writer {
   explicit Writer(const RenderJob& job) : job_(job) {}
 
   /// Throws what writing the frame before threw.
-  void write(std::int64_t step, io::Image image) {
+  void write(std::int64_t step, io::Image image, const io::TextEntries& look) {
     finish();
-    pending_ = std::async(std::launch::async, [this, step, frame = std::move(image)] {
-      io::TextEntries extra = look_entries(job_.look);
-      extra.insert(
-          extra.begin(),
-          {{"picture", "render"}, {"step", std::to_string(step)}, {"camera", job_.camera}});
+    io::TextEntries extra{
+        {"picture", "render"}, {"step", std::to_string(step)}, {"camera", job_.camera.spec()}};
+    extra.insert(extra.end(), look.begin(), look.end());
+    pending_ = std::async(std::launch::async, [this, step, extra, frame = std::move(image)] {
       io::write_png(io::frame_path(job_.output.path, step), frame,
                     io::provenance(job_.params, extra), job_.output.force);
     });
@@ -102,19 +101,18 @@ void advance(Simulation& simulation, std::int64_t step, io::Progress& progress, 
 
 void render(const RenderJob& job) {
   check_job(job);
-  Simulation simulation = unobserved_litter(job.params);
+  Simulation simulation = observed_litter(job.params, *job.look.scale.field);
   simulation.set_threads(job.threads);
-  Frame frame(job.width, job.height, job.bar);
-  const view::Camera camera = framed_camera(job.camera, job.params, frame.scene_aspect());
-  Studio studio(job.look);
+  Picture picture(job.width, job.height, job.bar, job.look);
+  const view::Camera camera = view::framed(job.camera, job.params, picture.scene_aspect());
+  const Headless headless(job.look);
   check_outputs(job);
   Writer writer(job);
   io::Progress progress("render", job.at.back(), job.output.quiet);
   for (const std::int64_t step : job.at) {
     advance(simulation, step, progress, writer);
-    io::Image scene = studio.shoot(simulation, camera, frame.scene_width(), frame.height());
-    writer.write(step,
-                 frame.compose(std::move(scene), studio.scale(), job.params.preferred_temperature));
+    io::Image frame = picture.draw(*headless.renderer, simulation.view(), camera);
+    writer.write(step, std::move(frame), picture.look_entries());
   }
   writer.finish();
 }

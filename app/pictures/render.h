@@ -1,9 +1,26 @@
 // Pictures of one litter as it moves.
 #pragma once
 
-#include "app/pictures/graphics.h"
+#include <cstdint>
+#include <vector>
+
+#include "app/pictures/look.h"
+#include "app/view/camera.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::pictures {
+
+/// `pupflow render`: frames of one scene, after the given steps (0 is the start).
+struct RenderJob {
+  Params params;
+  std::vector<std::int64_t> at;  // sorted, without repeats
+  int threads = 1;               // that share a step
+  int width = 1280, height = 960;
+  view::Camera camera = view::Camera::parse(view::Camera::kUsual);
+  bool bar = true;  // draw the legend of the colors
+  Look look;
+  Output output;  // path may hold one %d (with width, e.g. %05d) for the step
+};
 
 /// Steps the litter once through and writes a frame at each asked step. Throws Failure: bad_input
 /// and bad_file (before the first step when an output exists), no_context; bad_numbers and

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <sstream>
 #include <thread>
 
 #include "app/io/atomic_file.h"
@@ -40,28 +39,11 @@ io::TextEntries made_by(const Options& options, const Params& params) {
 std::string machine_text(const Options& options) {
   return "Made by `" + options.command + "`.\n\n" +
          io::markdown_table({{"", ""},
-                             {"version", "pupflow " + io::version()},
+                             {"version", io::program_version()},
                              {"compiler", io::compiler_words()},
                              {"processor", io::cpu_name()},
                              {"cores", std::to_string(std::thread::hardware_concurrency())},
                              {"kernels", io::kernel_words()}});
-}
-
-/// What all figures share; `body` follows for each of the two formats.
-std::string script(const std::string& name, const std::string& body, int width, int height) {
-  std::ostringstream s;
-  s << "# Draws " << name << ".png and " << name << ".svg from the CSV files in this folder.\n"
-    << "# Run it again after editing:  gnuplot " << name << ".gp  (in this folder)\n"
-    << "if (!exists('name')) name = '" << name << "'\n"
-    << "set datafile separator ','\nset datafile commentschars '#'\nset datafile columnheaders\n"
-    << "set datafile missing 'nan'\nset encoding utf8\nset border 3 lc '#444444'\n"
-    << "set tics nomirror out textcolor '#222222'\n"
-    << "do for [format in 'png svg'] {\n"
-    << "  if (format eq 'png') {\n    set terminal pngcairo size " << width << ',' << height
-    << " font 'DejaVu Sans,11'\n  } else {\n    set terminal svg size " << width << ',' << height
-    << " font 'DejaVu Sans,11' background '#ffffff'\n  }\n  set output name.'.'.format\n"
-    << body << "  unset output\n}\n";
-  return s.str();
 }
 
 }  // namespace
@@ -102,7 +84,8 @@ io::CsvFile Report::csv(const std::string& name, const Params& params,
 void Report::figure(const std::string& name, const std::string& caption, const std::string& body,
                     const Params& params, int width, int height) {
   io::AtomicFile file(options_.folder + "/" + name + ".gp", options_.force);
-  file.write(script(name, body, width, height));
+  file.write(io::gnuplot_script(name, "the CSV files in this folder", width, height,
+                                "  set datafile missing 'nan'\n" + body));
   file.commit();
   const io::Drawing drawing{options_.folder, name, made_by(options_, params),
                             "command = " + options_.command + "\n"};

@@ -1,4 +1,4 @@
-// Independent pieces of work of a report, on several threads.
+// Independent tasks of a report on several threads, with progress and Ctrl-C.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace pupflow::report {
 
-/// Calls `work` with 0 ... count - 1, each once, on `options.threads` threads; shows progress as
-/// `what` unless `options.quiet`. Throws io::Failure(interrupted) when Ctrl-C came: no new piece is
-/// begun then, and those under way end. An exception of `work` ends the rest and comes out of here.
+/// Calls `work` with each of 0 ... count - 1 once, on `options.threads` threads, and shows progress
+/// as `what` unless `options.quiet`. After Ctrl-C no further call is begun, and when those under way
+/// have ended io::Failure(interrupted) is thrown. Throws what `work` throws.
 void share_out(const std::string& what, std::int64_t count, const Options& options,
                const std::function<void(std::int64_t)>& work);
 

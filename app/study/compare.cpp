@@ -1,21 +1,19 @@
 #include "app/study/compare.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
+#include "app/io/text.h"
 #include "pupflow/observer.h"
 
 namespace pupflow::study {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) {
-  throw io::Failure(io::ExitCode::bad_input, message);
-}
+using io::refuse;
 
 /// A summary CSV: columns by name.
 struct Table {
@@ -36,22 +34,12 @@ struct Table {
 
   double number(std::size_t row, const std::string& name) const {
     const std::string& text = rows[row][column(name)];
-    double value = 0;
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || stop != text.data() + text.size()) {
-      refuse(path + ": row " + std::to_string(row + 1) + ": " + name + " is no number: '" + text +
-             "'");
-    }
-    return value;
+    const auto value = io::read_number<double>(text);
+    if (value) return *value;
+    refuse(path + ": row " + std::to_string(row + 1) + ": " + name +
+           " is no number: " + io::quoted(text));
   }
 };
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
-}
 
 Table read_table(const std::string& path) {
   Table table{path, {}, {}};
@@ -59,13 +47,14 @@ Table read_table(const std::string& path) {
   for (std::string line; std::getline(lines, line);) {
     if (line.ends_with('\r')) line.pop_back();
     if (line.empty() || line.starts_with('#')) continue;
-    std::vector<std::string> cells = split(line);
+    const auto parts = io::split(line, ',');
+    std::vector<std::string> cells(parts.begin(), parts.end());
     if (table.names.empty()) {
       table.names = std::move(cells);
       continue;
     }
     if (cells.size() != table.names.size())
-      refuse(path + ": a row has not as many cells as there are columns: " + line);
+      refuse(path + ": a row has another number of cells than the header: " + line);
     table.rows.push_back(std::move(cells));
   }
   table.column("runs");
@@ -74,10 +63,8 @@ Table read_table(const std::string& path) {
 
 bool same_value(const std::string& a, const std::string& b) {
   if (a == b) return true;
-  double x = 0, y = 0;
-  const bool numbers = std::from_chars(a.data(), a.data() + a.size(), x).ec == std::errc{} &&
-                       std::from_chars(b.data(), b.data() + b.size(), y).ec == std::errc{};
-  return numbers && std::abs(x - y) <= 1e-5 * std::max({std::abs(x), std::abs(y), 1e-1});
+  const auto x = io::read_number<double>(a), y = io::read_number<double>(b);
+  return x && y && std::abs(*x - *y) <= 1e-5 * std::max({std::abs(*x), std::abs(*y), 1e-1});
 }
 
 bool holds(const Table& table, const std::string& observable) {
@@ -183,14 +170,14 @@ std::string comparison_text(const Comparison& comparison) {
                 comparison.differences.size() - static_cast<std::size_t>(comparison.unknown));
   text += cell;
   if (comparison.unknown > 0) {
-    std::snprintf(cell, sizeof cell, ", %d left out for want of runs", comparison.unknown);
+    std::snprintf(cell, sizeof cell, ", %d unknown: fewer than two runs", comparison.unknown);
     text += cell;
   }
   std::snprintf(cell, sizeof cell, ", rms %.2f, mean_tb within %.4f and %.1f standard errors\n",
                 comparison.rms, comparison.largest_tb, comparison.largest_tb_errors);
   text += cell;
   for (const std::string& name : comparison.left_out)
-    text += name + " was left out: it is not in both files\n";
+    text += name + " was not compared: it is not in both files\n";
   return text;
 }
 

@@ -18,8 +18,8 @@ struct Difference {
 struct Comparison {
   std::vector<std::string> varied;            // names of the columns before `runs`
   std::vector<std::vector<std::string>> key;  // their values at each grid point
-  std::vector<std::string> observables;       // that were compared, and
-  std::vector<std::string> left_out;          // those that one of the files lacks
+  std::vector<std::string> observables;       // compared
+  std::vector<std::string> left_out;          // not compared, since one of the files lacks them
   std::vector<Difference> differences;
   int beyond_three = 0;   // points more than three standard errors apart
   int unknown = 0;        // points where a file has fewer than two runs, so no standard error
@@ -28,12 +28,12 @@ struct Comparison {
   double largest_tb_errors = 0;  // the same in standard errors, where these are known
 };
 
-/// Compares all observables that both files hold. Varied parameters must be the same and
-/// agree within 1e-5 relative. Throws io::Failure: bad_file when a file cannot be
-/// read, bad_input when it is no summary or they do not fit together.
+/// Compares all observables that both files hold. Both must vary the same parameters, with values
+/// that agree to a relative 1e-5. Throws io::Failure: bad_file when a file cannot be read, bad_input
+/// when it is no summary or the two do not have the same points.
 Comparison compare_summaries(const std::string& first, const std::string& second);
 
-/// A table of all points, and the totals below it.
+/// A table of all points, followed by the totals.
 std::string comparison_text(const Comparison& comparison);
 
 }  // namespace pupflow::study

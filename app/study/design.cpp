@@ -1,7 +1,6 @@
 #include "app/study/design.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
 #include "app/io/failure.h"
@@ -15,21 +14,9 @@ namespace {
 constexpr std::int64_t kMostRuns = 100'000'000;
 constexpr std::int64_t kMostValues = 1'000'000, kMostShards = 1'000'000;
 
-[[noreturn]] void refuse(const std::string& message) {
-  throw io::Failure(io::ExitCode::bad_input, message);
-}
+using io::refuse;
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
-    end = text.find(separator, begin);
-    parts.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
-  }
-  return parts;
-}
-
-double value_of(const Parameter& parameter, const std::string& text) {
+double value_of(const Parameter& parameter, std::string_view text) {
   Params scratch;
   Problem problem;
   if (!parse_value(parameter, text, scratch, problem)) refuse("--vary: " + problem.message);
@@ -37,29 +24,28 @@ double value_of(const Parameter& parameter, const std::string& text) {
 }
 
 std::vector<double> spaced_values(const Parameter& parameter,
-                                  const std::vector<std::string>& parts) {
+                                  const std::vector<std::string_view>& parts) {
   const std::string name(parameter.name);
   if (parameter.kind == Parameter::Kind::choice) {
     refuse("--vary " + name + ": list its choices, e.g. " + name + "=" +
            std::string(parameter.choices[0]) + "," + std::string(parameter.choices[1]));
   }
-  std::int64_t count = 0;
-  const char* end = parts[2].data() + parts[2].size();
-  const auto [stop, error] = std::from_chars(parts[2].data(), end, count);
-  if (error != std::errc{} || stop != end || count < 2 || count > kMostValues) {
+  const std::int64_t count = io::read_number<std::int64_t>(parts[2]).value_or(0);
+  if (count < 2 || count > kMostValues) {
     refuse("--vary " + name + ": the count in from:to:count is " + io::quoted(parts[2]) +
            "; it must be a whole number from 2");
   }
   const double from = value_of(parameter, parts[0]), to = value_of(parameter, parts[1]);
-  if (from == to) refuse("--vary " + name + ": " + parts[0] + " to " + parts[1] + " is no range");
+  const std::string ends = std::string(parts[0]) + " to " + std::string(parts[1]);
+  if (from == to) refuse("--vary " + name + ": " + ends + " is no range");
   std::vector<double> values;
   for (std::int64_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
     const double value = i == count - 1 ? to : from + (to - from) * share;
     Problem problem;
     if (!check_value(parameter, value, problem)) {
-      refuse("--vary " + name + ": " + std::to_string(count) + " values from " + parts[0] + " to " +
-             parts[1] + " are not all allowed: " + problem.message);
+      refuse("--vary " + name + ": " + std::to_string(count) + " values from " + ends +
+             " are not all allowed: " + problem.message);
     }
     values.push_back(value);
   }
@@ -84,15 +70,15 @@ Axis parse_axis(const std::string& text) {
   }
   if (name == "seed")
     refuse("--vary seed: every run has a seed of its own; use --seeds N for more runs");
-  const std::vector<std::string> parts = split(range, ':');
+  const auto parts = io::split(range, ':');
   if (parts.size() == 3) return {parameter, spaced_values(*parameter, parts)};
   if (parts.size() != 1)
     refuse("--vary " + io::quoted(text) + ": write name=from:to:count or name=a,b,c");
   Axis axis{parameter, {}};
-  for (const std::string& part : split(range, ',')) {
+  for (const std::string_view part : io::split(range, ',')) {
     const double value = value_of(*parameter, part);
     if (std::find(axis.values.begin(), axis.values.end(), value) != axis.values.end()) {
-      refuse("--vary " + name + ": " + part + " is listed twice");
+      refuse("--vary " + name + ": " + std::string(part) + " is listed twice");
     }
     axis.values.push_back(value);
   }
@@ -100,16 +86,13 @@ Axis parse_axis(const std::string& text) {
 }
 
 Shard parse_shard(const std::string& text) {
-  const std::vector<std::string> parts = split(text, '/');
-  Shard shard;
-  const auto number = [](const std::string& part, std::int64_t& value) {
-    const char* end = part.data() + part.size();
-    const auto [stop, error] = std::from_chars(part.data(), end, value);
-    return error == std::errc{} && stop == end;
-  };
-  const bool read =
-      parts.size() == 2 && number(parts[0], shard.number) && number(parts[1], shard.of);
-  if (!read || shard.number < 1 || shard.number > shard.of || shard.of > kMostShards) {
+  const auto parts = io::split(text, '/');
+  Shard shard{0, 0};
+  if (parts.size() == 2) {
+    shard.number = io::read_number<std::int64_t>(parts[0]).value_or(0);
+    shard.of = io::read_number<std::int64_t>(parts[1]).value_or(0);
+  }
+  if (shard.number < 1 || shard.number > shard.of || shard.of > kMostShards) {
     refuse("--shard " + io::quoted(text) + ": write i/n with i from 1 to n, e.g. 1/4");
   }
   return shard;

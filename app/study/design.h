@@ -1,4 +1,4 @@
-// What a sweep computes: a grid of parameter values times a number of seeds, and each run's share.
+// What a sweep computes: a grid of parameter values, with several seeds at each point.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Axis {
 };
 
 /// Reads "name=from:to:count" (evenly spaced, both ends included) or "name=a,b,c". Throws
-/// io::Failure(bad_input) with what is wrong and what would be right.
+/// io::Failure(bad_input).
 Axis parse_axis(const std::string& text);
 
 /// Which runs one machine computes: those whose index leaves `number - 1` when divided by `of`.
@@ -29,7 +29,7 @@ struct Shard {
 /// Reads "i/n" with 1 <= i <= n. Throws io::Failure(bad_input).
 Shard parse_shard(const std::string& text);
 
-/// A sweep. Run number i has the grid point i / seeds (the last axis turns fastest).
+/// A sweep. Run number i has the grid point i / seeds (the last axis varies fastest).
 struct Design {
   std::string name = "sweep";  // of its files: name.png, name.gp
   Params base;                 // everything that is not varied; base.seed is the base seed
@@ -50,7 +50,7 @@ struct Design {
   std::vector<std::int64_t> own_runs() const;
 };
 
-/// Throws io::Failure(bad_input) with every problem of the design: parameters that are unsound at
+/// Throws io::Failure(bad_input) with every problem of the design: parameters that are invalid at
 /// some grid point, a parameter varied twice, too many runs.
 void check_design(const Design& design);
 

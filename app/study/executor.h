@@ -1,4 +1,4 @@
-// Computes the runs of a sweep, where not only the threads of this process do.
+// Computes the runs of a sweep in several processes.
 #pragma once
 
 #include <cstdint>

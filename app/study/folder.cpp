@@ -59,23 +59,23 @@ void claim_folder(const std::string& folder, const Design& design, bool force) {
   const std::string text = manifest_text(design), path = manifest_path(folder);
   const bool claimed = fs::exists(path);
   const std::string there = claimed ? io::read_file(path, kLargestManifest) : "";
-  // The same sweep goes on even when forced: the command that replaced another sweep can then be
+  // The same sweep is resumed even when forced, so the command that replaced another sweep can be
   // given again after an interruption.
   if (there == text) return;
   if (claimed && !force) {
     throw io::Failure(io::ExitCode::bad_input,
                       folder + ": holds another sweep: " + manifest_difference(there, text) +
-                          "; name another folder with --out, or use --force to start afresh");
+                          "; name another folder with --out, or use --force to replace it");
   }
   for (const std::string& file : other_files(folder, design)) {
     if (fs::exists(file) && !force) {
       throw io::Failure(io::ExitCode::bad_file,
                         file +
-                            ": exists already, and no manifest says of which sweep; name "
+                            ": exists already, and there is no manifest beside it; name "
                             "another folder with --out, or use --force to replace it");
     }
   }
-  // Results go first: a folder never has a manifest that is not theirs.
+  // Results are removed first, so a folder never has the manifest of another sweep beside them.
   for (const std::string& file : other_files(folder, design)) remove_file(file);
   io::AtomicFile manifest(path, true);
   manifest.write(text);

@@ -1,4 +1,4 @@
-// The folder of a sweep: its files, and whose it is.
+// The folder of a sweep: its files, and the sweep that it belongs to.
 #pragma once
 
 #include <string>
@@ -12,17 +12,17 @@ std::string summary_path(const std::string& folder);
 std::string manifest_path(const std::string& folder);
 std::string journal_path(const std::string& folder);
 
-/// Makes sure that the folder is this design's: it is made when there is none, and a new or forced
-/// one starts with nothing but its manifest. Throws io::Failure: bad_input, naming the difference,
-/// when it holds another sweep and `force` is false; bad_file when it cannot be made or written to,
-/// or holds files of the same names that no manifest explains.
+/// Makes the folder belong to this design. A new folder, or one taken over with `force`, then holds
+/// only the manifest. Throws io::Failure: bad_input, naming the difference, when it holds another
+/// sweep and `force` is false; bad_file when it cannot be made or written to, or holds files of the
+/// same names without a manifest.
 void claim_folder(const std::string& folder, const Design& design, bool force);
 
 /// The design that a folder's manifest holds. Throws io::Failure: bad_file when it cannot be read,
 /// bad_input when it is not as this version of the program writes it.
 Design design_of_folder(const std::string& folder);
 
-/// The first line in which two manifests differ, for people.
+/// The first line in which two manifests differ, as text.
 std::string manifest_difference(const std::string& there, const std::string& now);
 
 }  // namespace pupflow::study

@@ -1,4 +1,4 @@
-// The finished runs of a sweep under way: what survives Ctrl-C, a kill or a full disk.
+// The finished runs of an unfinished sweep. They survive Ctrl-C, a kill or a full disk.
 #pragma once
 
 #include <map>
@@ -8,12 +8,12 @@
 
 namespace pupflow::study {
 
-/// A file to which every finished run is added at once, "index,row". Members throw
+/// A file to which each run is added when it is finished, as "index,row". Members throw
 /// io::Failure(bad_file).
 class Journal {
  public:
-  /// Opens `path`, made new if it is not there, and reads the runs that it holds. A last line that
-  /// was cut off, or anything damaged, is dropped from the file.
+  /// Opens `path`, or makes it, and reads the runs that it holds. From the first line that is
+  /// incomplete or damaged on, the file is cut off.
   Journal(const std::string& path, const Design& design);
   ~Journal();
   Journal(const Journal&) = delete;

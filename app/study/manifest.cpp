@@ -35,7 +35,7 @@ std::string manifest_text(const Design& design) {
   std::ostringstream text;
   text << "# What this sweep computed; 'pupflow sweep' writes it and compares with it before it "
           "goes on.\n"
-       << "software = \"pupflow " PUPFLOW_VERSION "\"\n\n[sweep]\n"
+       << "software = \"" << io::program_version() << "\"\n\n[sweep]\n"
        << "name = \"" << design.name << "\"\nvary = [";
   for (std::size_t a = 0; a < design.axes.size(); ++a) {
     text << (a == 0 ? "" : ", ") << '"' << axis_text(design.axes[a]) << '"';

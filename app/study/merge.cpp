@@ -11,24 +11,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& message) {
-  throw io::Failure(io::ExitCode::bad_input, message);
-}
+using io::refuse;
 
-/// A shard's folder, read.
-struct Part {
+/// The design and the rows of a shard's folder.
+struct LoadedShard {
   Design design;
   std::vector<Row> rows;
 };
 
-Part read_part(const std::string& folder) {
-  Part part;
-  part.design = design_of_folder(folder);
+LoadedShard load_shard(const std::string& folder) {
+  LoadedShard loaded;
+  loaded.design = design_of_folder(folder);
   if (fs::exists(journal_path(folder)) && !fs::exists(runs_path(folder))) {
     refuse(folder + ": is not finished; run its command again first");
   }
-  part.rows = read_runs(runs_path(folder), part.design);
-  return part;
+  loaded.rows = read_runs(runs_path(folder), loaded.design);
+  return loaded;
 }
 
 /// `holder` has the folder of each shard, empty where there is none.
@@ -53,17 +51,17 @@ SweepResult merge_shards(const std::vector<std::string>& folders, const std::str
   std::vector<Row> rows;
   std::vector<std::string> holder;  // which folder holds shard number i + 1
   for (const std::string& from : folders) {
-    Part part = read_part(from);
-    const Shard shard = part.design.shard;
-    part.design.shard = {};
+    LoadedShard loaded = load_shard(from);
+    const Shard shard = loaded.design.shard;
+    loaded.design.shard = {};
     if (!whole) {
-      whole = part.design;
+      whole = loaded.design;
       holder.resize(static_cast<std::size_t>(shard.of));
       rows.resize(static_cast<std::size_t>(whole->runs()));
     }
-    if (manifest_text(part.design) != manifest_text(*whole)) {
+    if (manifest_text(loaded.design) != manifest_text(*whole)) {
       refuse(from + ": belongs to another sweep than " + folders[0] + ": " +
-             manifest_difference(manifest_text(*whole), manifest_text(part.design)));
+             manifest_difference(manifest_text(*whole), manifest_text(loaded.design)));
     }
     if (static_cast<std::size_t>(shard.of) != holder.size()) {
       refuse(from + ": is one of " + std::to_string(shard.of) + " shards, " + folders[0] +
@@ -74,7 +72,7 @@ SweepResult merge_shards(const std::vector<std::string>& folders, const std::str
       refuse(from + ": is shard " + std::to_string(shard.number) + ", and so is " + taken);
     }
     taken = from;
-    for (Row& row : part.rows) rows[static_cast<std::size_t>(row.run)] = std::move(row);
+    for (Row& row : loaded.rows) rows[static_cast<std::size_t>(row.run)] = std::move(row);
   }
   if (!whole) refuse("no shards to merge: name their folders");
   refuse_missing(holder);

@@ -1,4 +1,4 @@
-// Shards of a sweep, computed apart, joined to the whole.
+// Joins the shards of a sweep.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace pupflow::study {
 
-/// Joins the finished shards in `folders` to a whole sweep in `folder`, whose files are then those
-/// of the sweep computed at once. Throws io::Failure: bad_input when they do not belong together or
+/// Joins the finished shards in `folders` to a whole sweep in `folder`, with the same files
+/// as a sweep that was computed at once. Throws io::Failure: bad_input when they do not belong together or
 /// one is missing, given twice or not finished; bad_file; as claim_folder for `folder`.
 SweepResult merge_shards(const std::vector<std::string>& folders, const std::string& folder,
                          bool force);

@@ -11,10 +11,10 @@ namespace pupflow::study {
 /// The files that a design's figure consists of: NAME.png, NAME.svg, and the script, NAME.gp.
 std::vector<std::string> plot_paths(const std::string& folder, const Design& design);
 
-/// Draws summary.csv in `folder`. A script that is there already, perhaps edited, is used as it is;
-/// otherwise it is written. Both pictures carry the manifest and the parameters, and appear whole
-/// or not at all. Returns an empty text, or one line saying why there is no picture (nothing or
-/// more than two parameters vary; no run was fine; gnuplot is missing). Throws io::Failure:
+/// Draws summary.csv in `folder`. A script that exists already, perhaps edited by the user, is used
+/// unchanged; otherwise it is written. Both pictures carry the manifest and the parameters, and are
+/// written whole or not at all. Returns an empty text, or one line with the reason why there is no
+/// picture (no parameter or more than two vary; no run was fine; gnuplot is missing). Throws io::Failure:
 /// bad_file when a file cannot be written or gnuplot fails, interrupted.
 std::string draw_plots(const std::string& folder, const Design& design,
                        const std::vector<Summary>& summaries);

@@ -54,23 +54,8 @@ constexpr Panel kFourPanels[] = {
 
 constexpr const char *kBlue = "#31688e", *kOrange = "#c2570c", *kShade = "#f3ead0";
 
-std::string opening(const Design& design, int width, int height) {
-  std::ostringstream s;
-  s << "# Draws " << design.name << ".png and " << design.name << ".svg from summary.csv.\n"
-    << "# Run it again after editing:  gnuplot " << design.name << ".gp  (in this folder)\n"
-    << "if (!exists('name')) name = '" << design.name << "'\n"
-    << "set datafile separator ','\nset datafile commentschars '#'\nset datafile columnheaders\n"
-    << "set encoding utf8\nset border 3 lc '#444444'\nset tics nomirror out textcolor '#222222'\n"
-    << "do for [format in 'png svg'] {\n"
-    << "  if (format eq 'png') {\n    set terminal pngcairo size " << width << ',' << height
-    << " font 'DejaVu Sans,11'\n  } else {\n    set terminal svg size " << width << ',' << height
-    << " font 'DejaVu Sans,11' background '#ffffff'\n  }\n"
-    << "  set output name.'.'.format\n";
-  return s.str();
-}
-
-/// Dashed verticals at T_p and at T_p - G/k1, where a lone pup would be content, as far as the axis
-/// reaches; labelled in panel A.
+/// Dashed vertical lines at T_p and at T_p - G/k1, where a pup without contact has T_b = T_p, where
+/// they are in the range of the axis; labelled in panel A.
 std::string marks(const Design& design, const Axis& axis, bool labelled) {
   const Params params = design.params_of(0);
   const auto [low, high] = std::minmax_element(axis.values.begin(), axis.values.end());
@@ -102,7 +87,7 @@ std::string shades(const std::vector<Range>& held) {
   return s.str();
 }
 
-/// Which way the curves of one sweep are drawn.
+/// How the curves of one sweep are drawn.
 struct Curves {
   std::string varied;
   bool words;  // its values are names, drawn side by side
@@ -132,7 +117,7 @@ struct Curves {
   }
 };
 
-/// Commands that let the upright axis start at 0, or say that it does not: T_b may be negative.
+/// Commands that start the y axis at 0, or add a label that it does not: T_b may be negative.
 std::string start_of_axis(const std::vector<Summary>& summaries, bool first) {
   const bool negative = std::any_of(summaries.begin(), summaries.end(), [](const Summary& s) {
     return s.runs > 0 && s.statistics[statistic_of(Observable::mean_tb)].mean < 0;
@@ -167,8 +152,7 @@ std::string four_panels(const Design& design, const Axis& axis,
            (note.empty() ? "" : ";   ") + note;
   }
   std::ostringstream s;
-  s << opening(design, 1200, 900)
-    << "  set multiplot layout 2,2 margins 0.05,0.92,0.12,0.95 spacing 0.12,0.13\n"
+  s << "  set multiplot layout 2,2 margins 0.05,0.92,0.12,0.95 spacing 0.12,0.13\n"
     << "  set xlabel \"" << label(*axis.parameter) << "\"\n"
     << "  set style fill transparent solid 0.2 noborder\n  set key top left Left reverse samplen 2 "
        "textcolor "
@@ -205,21 +189,20 @@ std::string four_panels(const Design& design, const Axis& axis,
     }
     s << '\n';
   }
-  // As before panel D, for the other format.
+  // Back to the settings before panel D, for the other format.
   s << "  set border 3\n  unset y2tics\n  unset y2label\n  unset ylabel\n"
     << "  set y2range [*:*]\n  set ytics textcolor '#222222'\n";
-  s << "  unset multiplot\n  unset output\n}\n";
-  return s.str();
+  s << "  unset multiplot\n";
+  return io::gnuplot_script(design.name, "summary.csv", 1200, 900, s.str());
 }
 
 std::string heat_maps(const Design& design, const Axis& down, const Axis& across) {
   std::ostringstream s;
-  s << opening(design, 1400, 860)
-    << "  set multiplot layout 2,3 margins 0.06,0.95,0.08,0.94 spacing 0.13,0.13\n"
+  s << "  set multiplot layout 2,3 margins 0.06,0.95,0.08,0.94 spacing 0.13,0.13\n"
     << "  " << io::kViridisPalette << "  set xlabel \"" << label(*across.parameter)
     << "\"\n  set ylabel \"" << label(*down.parameter)
     << "\"\n  unset key\n"
-    // Cells by index, named by value, so that uneven and listed values fill the plane too.
+    // Cells by index with the value as label, so that unevenly spaced values fill the plane too.
     << "  set xrange [-0.5:" << across.values.size()
     << " - 0.5]\n  set yrange [-0.5:" << down.values.size() << " - 0.5]\n";
   const auto ticks = [&](const char* axis, const Axis& values) {
@@ -244,8 +227,8 @@ std::string heat_maps(const Design& design, const Axis& down, const Axis& across
       << "):(int(column(0)) / " << across.values.size() << "):(column('" << field.name
       << "')) with image\n";
   }
-  s << "  unset multiplot\n  unset output\n}\n";
-  return s.str();
+  s << "  unset multiplot\n";
+  return io::gnuplot_script(design.name, "summary.csv", 1400, 860, s.str());
 }
 
 }  // namespace

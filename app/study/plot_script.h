@@ -8,7 +8,7 @@
 
 namespace pupflow::study {
 
-/// The axes along which a plot has something to show: those with more than one value.
+/// The axes with more than one value.
 std::vector<const Axis*> plotted_axes(const Design& design);
 
 /// Four panels for one such axis, with the range of T_a in which the litter holds its temperature

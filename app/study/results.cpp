@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -18,19 +17,6 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLargestFile = std::size_t{1} << 34;
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
-bool parse_number(const std::string& text, double& value) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc{} && stop == end;
-}
 
 /// The cells before the status: varied values, then the seed.
 std::string key_text(const Design& design, std::int64_t run) {
@@ -148,13 +134,15 @@ std::string row_text(const Design& design, const Row& row) {
 std::optional<Row> parse_row(const Design& design, std::int64_t run, const std::string& line) {
   const std::string key = key_text(design, run);
   if (!line.starts_with(key)) return std::nullopt;
-  const std::vector<std::string> cells = cells_of(line.substr(key.size()));
+  const auto cells = io::split(std::string_view(line).substr(key.size()), ',');
   if (cells.size() != 1 + kRunStatisticCount || cells[0].empty()) return std::nullopt;
   Row row;
   row.run = run;
   row.status = cells[0];
   for (std::size_t i = 0; i < kRunStatisticCount; ++i) {
-    if (!parse_number(cells[1 + i], statistic(row, i))) return std::nullopt;
+    const auto number = io::read_number<double>(cells[1 + i]);
+    if (!number) return std::nullopt;
+    statistic(row, i) = *number;
   }
   if (row_text(design, row) != line) return std::nullopt;
   return row;

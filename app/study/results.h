@@ -14,7 +14,7 @@ namespace pupflow::study {
 /// One finished run.
 struct Row {
   std::int64_t run = 0;         // its index in the design
-  std::string status = "fine";  // or what went wrong; then warnings; all without commas
+  std::string status = "fine";  // or the bad status; then warnings; all without commas
   Observables means;
   double exposed_sd = 0;
 

@@ -41,7 +41,7 @@ void compute(const SweepJob& job, Journal& journal) {
     throw io::Failure(io::ExitCode::interrupted,
                       "interrupted with " + std::to_string(own - total + done) + " of " +
                           std::to_string(own) +
-                          " runs finished; the same command goes on from there");
+                          " runs finished; the same command computes the others");
   }
 }
 
@@ -85,7 +85,7 @@ SweepResult run_sweep(const SweepJob& job) {
 
 namespace {
 
-/// How many rows are `odd`, and the first of them; empty when none is.
+/// How many rows are `odd`, and the first of them; empty when there is none.
 std::string count_text(const Design& design, const std::vector<Row>& rows, const char* what,
                        bool (*odd)(const Row&)) {
   const auto first = std::find_if(rows.begin(), rows.end(), odd);
@@ -99,12 +99,12 @@ std::string count_text(const Design& design, const std::vector<Row>& rows, const
 }  // namespace
 
 std::string failures_text(const Design& design, const std::vector<Row>& rows) {
-  return count_text(design, rows, "went wrong and are left out of the means",
+  return count_text(design, rows, "failed and are not in the means",
                     [](const Row& row) { return !row.fine(); });
 }
 
 std::string warnings_text(const Design& design, const std::vector<Row>& rows) {
-  return count_text(design, rows, "came to an impossible state and are part of the means",
+  return count_text(design, rows, "ended with a warning and are in the means",
                     [](const Row& row) { return row.warned(); });
 }
 

@@ -1,4 +1,4 @@
-// Runs a sweep into a folder, or goes on with one that was interrupted.
+// Runs a sweep into a folder, or resumes one that was interrupted.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct SweepJob {
   std::string folder;
   int threads = 1;
   Executor* executor = nullptr;  // computes the runs instead of the threads of this process
-  bool force = false;            // start afresh where another sweep is
+  bool force = false;            // replace another sweep in the folder
   bool quiet = false;
 };
 
@@ -25,16 +25,16 @@ struct SweepResult {
   std::string note;                // e.g. why there is no plot; may be empty
 };
 
-/// Computes what is missing and writes runs.csv, and for a whole sweep summary.csv and the plots.
+/// Computes the missing runs and writes runs.csv, and for a whole sweep summary.csv and the plots.
 /// Files do not depend on the number of threads or on interruptions. Throws io::Failure: bad_input
 /// when the folder holds another sweep, bad_file, interrupted; finished runs are kept in all cases.
 SweepResult run_sweep(const SweepJob& job);
 
-/// Writes everything that follows from the rows of a shard or of a whole sweep. Throws
+/// Writes the result files for the rows of a shard or of a whole sweep. Throws
 /// io::Failure: bad_file, or interrupted while drawing.
 SweepResult write_results(const std::string& folder, const Design& design, std::vector<Row> rows);
 
-/// The first run that went wrong, and how many did, in one line; empty when all were fine.
+/// One line: how many runs failed, and the first of them; empty when all were fine.
 std::string failures_text(const Design& design, const std::vector<Row>& rows);
 
 /// The same of the runs that ended with a warning.

@@ -102,7 +102,7 @@ std::string transition_text(const Design& design, const Transition& t) {
   std::string text = t.steepest
                          ? io::formatted("1 - A falls most steeply between T_a %.3f and %.3f",
                                          t.steepest->from, t.steepest->to)
-                         : "1 - A falls nowhere";
+                         : "1 - A does not fall";
   if (design.base.air_conductance > 0)
     text += io::formatted("; T_p - G/k1 = %.3f",
                           design.base.preferred_temperature -

@@ -1,4 +1,4 @@
-// What a sweep over T_a shows of the phase transition, in the words of the paper's Figure 2.
+// The phase transition in a sweep over T_a, as in the paper's Figure 2.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace pupflow::study {
 
-/// How near to T_p the litter's mean T_b must be for it to count as holding its temperature.
+/// The litter holds its temperature where |mean T_b - T_p| is at most this.
 constexpr double kHeld = 0.03;
 
 /// An interval of T_a.
@@ -18,13 +18,12 @@ struct Range {
   friend bool operator==(const Range&, const Range&) = default;
 };
 
-/// The T_a at which mean T_b is within kHeld of T_p, with straight lines between the points of the
-/// sweep; several ranges where they do not hang together. `axis` is that of ta. Points without a
-/// fine run interrupt a range.
+/// The ranges of T_a in which mean T_b, interpolated linearly between the points of the sweep, is
+/// within kHeld of T_p. `axis` is that of ta. A point without a fine run ends a range.
 std::vector<Range> held_ranges(const Design& design, const std::vector<Summary>& summaries,
                                std::size_t axis);
 
-/// Where something is highest, and how high that is.
+/// The highest value, and its T_a.
 struct Peak {
   double ta, value;
 };
@@ -35,12 +34,12 @@ struct Transition {
   std::vector<Range> held;        // held_ranges
 };
 
-/// Nothing unless ta is the only varied parameter, rising, with at least two values whose runs were
-/// fine.
+/// Empty unless ta is the only varied parameter, its values rise, and there are at least two, all
+/// with fine runs.
 std::optional<Transition> find_transition(const Design& design,
                                           const std::vector<Summary>& summaries);
 
-/// Four lines for people.
+/// Four lines of text.
 std::string transition_text(const Design& design, const Transition& transition);
 
 }  // namespace pupflow::study

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/io/failure.h"
+#include "app/io/text.h"
 
 namespace pupflow::view {
 
@@ -45,6 +46,7 @@ std::vector<double> numbers_in(const std::string& spec, std::string_view text) {
 
 Camera Camera::parse(const std::string& spec) {
   Camera camera;
+  camera.typed_ = spec;
   if (spec == "top" || spec == "side") {
     camera.projection_ = Projection::orthographic;
     camera.azimuth_ = -90 * kRadians;
@@ -63,6 +65,12 @@ Camera Camera::parse(const std::string& spec) {
     camera.fixed_distance_ = true;
   }
   return camera;
+}
+
+std::string Camera::spec() const {
+  if (!moved_ || projection_ == Projection::orthographic) return typed_;
+  return "orbit:" + io::number_text(azimuth_ / kRadians) + ',' +
+         io::number_text(elevation_ / kRadians) + ',' + io::number_text(distance_);
 }
 
 Eigen::Vector3d Camera::right() const {
@@ -85,7 +93,7 @@ double Camera::half_height() const {
 }
 
 void Camera::frame(double arena_radius, double height, double aspect) {
-  if (fixed_distance_) return;
+  if (fixed_distance_ || moved_) return;
   target_.setZero();
   const double tangent[2] = {kTanHalfView * aspect / kMargin, kTanHalfView / kMargin};
   // A point at (u, v, w) in camera axes is in the picture when |u - shift| <= tangent (d - w), and
@@ -112,15 +120,22 @@ void Camera::frame(double arena_radius, double height, double aspect) {
 }
 
 void Camera::orbit(double d_azimuth, double d_elevation) {
+  moved_ = true;
+  if (projection_ == Projection::orthographic) {
+    projection_ = Projection::perspective;
+    target_ -= target_.dot(backward()) * backward();
+  }
   azimuth_ = std::remainder(azimuth_ + d_azimuth, 2 * std::numbers::pi);
   elevation_ = std::clamp(elevation_ + d_elevation, -90 * kRadians, 90 * kRadians);
 }
 
 void Camera::pan(double right_share, double up_share) {
+  moved_ = true;
   target_ -= 2 * half_height() * (right_share * right() + up_share * up());
 }
 
 void Camera::zoom(double factor) {
+  moved_ = true;
   distance_ = std::clamp(distance_ / factor, kNearest, kFurthest);
 }
 

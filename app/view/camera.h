@@ -30,12 +30,23 @@ class Camera {
   /// the arena fills the picture. Throws Failure(bad_input) for anything else.
   static Camera parse(const std::string& spec);
 
+  /// Where pictures and the window look from unless told otherwise.
+  static constexpr const char* kUsual = "orbit:30,35";
+
+  /// How the camera is written: as it was typed, or once it was turned or moved by hand as
+  /// orbit:azimuth,elevation,distance. A camera without perspective keeps what was typed.
+  std::string spec() const;
+
+  /// Whether it was turned or moved since it was parsed (orbit, pan, zoom).
+  bool moved() const { return moved_; }
+
   /// Moves along the line of sight, and sideways, until an arena of this radius, with something
   /// `height` tall on it, fills a picture of that aspect (width / height). Keeps the angles. Does
-  /// nothing when the specification gave a distance.
+  /// nothing when the specification gave a distance, and once the camera was moved by hand.
   void frame(double arena_radius, double height, double aspect);
 
-  /// Turns around the target, by radians; the elevation stays within +-90 degrees.
+  /// Turns around the target, by radians; the elevation stays within +-90 degrees. A camera without
+  /// perspective gets one, with its target as near as possible to the arena's centre.
   void orbit(double d_azimuth, double d_elevation);
 
   /// Moves eye and target so that the scene shifts by these shares of the picture's height,
@@ -70,7 +81,8 @@ class Camera {
   Projection projection_ = Projection::perspective;
   double azimuth_ = 0, elevation_ = 0;
   double distance_ = 10;
-  bool fixed_distance_ = false;
+  bool fixed_distance_ = false, moved_ = false;
+  std::string typed_;
   Eigen::Vector3d target_ = Eigen::Vector3d::Zero();
 };
 

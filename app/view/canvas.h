@@ -11,10 +11,10 @@ struct Box {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Mixes `colour` over the pixel (x, y) with `cover` in 0 ... 1; outside the picture, nothing.
+/// Mixes `color` over the pixel (x, y) with `cover` in 0 ... 1; outside the picture, nothing.
 void blend(io::Image& image, int x, int y, Rgb color, double cover);
 
-/// Fills `box` with an opaque colour.
+/// Fills `box` with an opaque color.
 void fill(io::Image& image, const Box& box, Rgb color);
 
 /// Draws a frame of `width` pixels just inside `box`.

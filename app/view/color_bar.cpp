@@ -1,30 +1,138 @@
 #include "app/view/color_bar.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 namespace pupflow::view {
 
 namespace {
 
 constexpr double kTick = 0.35, kGap = 0.3, kTitle = 1.15;  // of the text size
+constexpr int kTicks = 5;
+constexpr double kTickText = 0.36;  // from a tick down to its label's baseline
+constexpr const char* kNobody = "nobody";
+constexpr const char* kUnknown = "unknown";
 
-}  // namespace
+struct Tick {
+  double value;
+  std::string label;
+};
 
-std::vector<double> round_ticks(double low, double high, int count) {
-  const double rough = (high - low) / count;
-  const double power = std::pow(10, std::floor(std::log10(rough)));
-  double step = 10 * power;
-  for (const double factor : {5.0, 2.0, 1.0}) {
-    if (factor * power >= 0.999 * rough) step = factor * power;
+bool is_temperature(const Field& field) {
+  return field.symbol.starts_with("T_");
+}
+
+std::vector<Tick> ticks_of(const ColorScale& scale) {
+  constexpr double kPi = std::numbers::pi;
+  if (scale.field->kind == FieldKind::angle) {
+    return {{-kPi, "\u2212π"}, {-kPi / 2, "\u2212π/2"}, {0, "0"}, {kPi / 2, "π/2"}, {kPi, "π"}};
   }
-  std::vector<double> ticks;
-  const auto first = std::llround(std::ceil(low / step - 1e-9));
-  const auto last = std::llround(std::floor(high / step + 1e-9));
-  for (auto i = first; i <= last; ++i) ticks.push_back(static_cast<double>(i) * step);
+  std::vector<Tick> ticks;
+  const double least = scale.field->digits == 0 ? 1 : 0;
+  for (const double value : round_ticks(scale.min, scale.max, kTicks, least)) {
+    ticks.push_back({value, tick_label(value)});
+  }
   return ticks;
 }
+
+/// The label of a swatch. Where colors repeat it names all categories of that color.
+std::string category_label(const ColorScale& scale, int category) {
+  if (category < 0) return kNobody;
+  const auto names = scale.field->categories;
+  if (!names.empty()) return std::string(names[static_cast<std::size_t>(category)]);
+  std::string label = std::to_string(category);
+  if (category + kCategoryColors <= scale.max) {
+    label += ", " + std::to_string(category + kCategoryColors);
+  }
+  if (category + 2 * kCategoryColors <= scale.max) label += ", \u2026";
+  return label;
+}
+
+/// Characters of the longest label, as far as it is known before the data.
+std::size_t longest_label(const ColorScale& scale) {
+  constexpr std::size_t kOfData = 6;
+  const auto length = [](const std::string& label) {
+    return static_cast<std::size_t>(std::count_if(
+        label.begin(), label.end(), [](char c) { return (static_cast<int>(c) & 0xc0) != 0x80; }));
+  };
+  std::size_t longest = 0;
+  if (scale.categorical()) {
+    longest = kOfData;
+    for (const std::string_view name : scale.field->categories) {
+      longest = std::max(longest, name.size());
+    }
+  } else if (!scale.is_fitted()) {
+    longest = kOfData;
+  } else {
+    for (const Tick& tick : ticks_of(scale)) longest = std::max(longest, length(tick.label));
+  }
+  return longest;
+}
+
+void add_swatch(ColorBar& layout, const Box& box, Rgb color, const std::string& label,
+                double size) {
+  layout.fills.push_back({box, color});
+  layout.frames.push_back({box.x - 1, box.y - 1, box.width + 2, box.height + 2});
+  layout.labels.push_back({box.x + box.width + 1 + (kTick + kGap) * size,
+                           box.y + box.height / 2.0 + kTickText * size,
+                           {{label}},
+                           size});
+}
+
+/// One swatch below the other from the top of the bar.
+void add_categories(ColorBar& layout, const Box& bar, const ColorScale& scale, double size) {
+  const int first = static_cast<int>(std::lround(scale.min));
+  const int last = std::min(static_cast<int>(std::lround(scale.max)), kCategoryColors - 1);
+  const double row = std::min(1.7 * size, static_cast<double>(bar.height) / (last - first + 1));
+  const int side = std::max(2, static_cast<int>(0.75 * row));
+  for (int category = first; category <= last; ++category) {
+    const int y = bar.y + static_cast<int>(std::lround((category - first) * row));
+    add_swatch(layout, {bar.x, y, bar.width, side}, scale(category),
+               category_label(scale, category), size);
+  }
+}
+
+void add_bar(ColorBar& layout, const Box& bar, const ColorScale& scale, double tp, double size) {
+  const double stroke = std::max(1.0, std::round(size / 14));
+  for (int row = 0; row < bar.height; ++row) {
+    const double share = 1 - (row + 0.5) / bar.height;
+    layout.fills.push_back(
+        {{bar.x, bar.y + row, bar.width, 1}, scale(scale.min + share * (scale.max - scale.min))});
+  }
+  layout.frames.push_back({bar.x - 1, bar.y - 1, bar.width + 2, bar.height + 2});
+
+  const auto height_of = [&](double value) {
+    return std::floor(bar.y + bar.height * (scale.max - value) / (scale.max - scale.min)) + 0.5;
+  };
+  const double right = bar.x + bar.width + 1, tick_end = right + kTick * size;
+  for (const Tick& tick : ticks_of(scale)) {
+    const double y = height_of(tick.value);
+    layout.strokes.push_back({right, y, tick_end, y, stroke});
+    layout.labels.push_back({tick_end + kGap * size, y + kTickText * size, {{tick.label}}, size});
+  }
+  const auto line_across = [&](double value) {
+    const double y = height_of(value);
+    layout.strokes.push_back(
+        {static_cast<double>(bar.x), y, static_cast<double>(bar.x + bar.width), y, stroke});
+  };
+  const auto on_scale = [&](double value) { return value >= scale.min && value <= scale.max; };
+  if (scale.field->kind == FieldKind::signed_ && on_scale(scale.field->centre)) {
+    line_across(scale.field->centre);
+  }
+  if (is_temperature(*scale.field) && on_scale(tp)) {
+    // An arrow head from the left, so that it never meets a tick's label.
+    const double y = height_of(tp), tip = bar.x - 2;
+    layout.arrow = ColorBar::Arrow{tip, y, 0.45 * size};
+    line_across(tp);
+    layout.labels.push_back(
+        {tip - 0.75 * size, y + 0.3 * size, symbol("T", "p"), size, Align::right});
+  }
+}
+
+}  // namespace
 
 std::string tick_label(double value) {
   std::array<char, 32> text{};
@@ -36,45 +144,73 @@ std::string tick_label(double value) {
   return label;
 }
 
-ColorBarMargins color_bar_margins(const ColorBarStyle& style) {
-  return {static_cast<int>(std::lround(2.1 * style.text_size)),
-          static_cast<int>(std::lround(5.0 * style.text_size))};
+TextLine title_of(const Field& field) {
+  TextLine title{{std::string(field.label)}};
+  const std::string written(field.symbol);
+  if (const auto mark = written.find('_'); mark != std::string::npos) {
+    title.front().text += ' ';
+    title = title + symbol(written.substr(0, mark), written.substr(mark + 1));
+  } else if (!written.empty()) {
+    title.front().text += ' ';
+    title.push_back({written, TextRun::Style::italic});
+  }
+  if (!field.unit.empty()) title = title + (" (" + std::string(field.unit) + ")");
+  return title;
 }
 
-void draw_color_bar(io::Image& image, TextPainter& text, const Box& bar, const ColorScale& scale,
-                    double tp, const ColorBarStyle& style) {
-  const double size = style.text_size, stroke = std::max(1.0, std::round(size / 14));
-  for (int row = 0; row < bar.height; ++row) {
-    const double share = 1 - (row + 0.5) / bar.height;
-    fill(image, {bar.x, bar.y + row, bar.width, 1},
-         scale(scale.min + share * (scale.max - scale.min)));
-  }
-  frame(image, {bar.x - 1, bar.y - 1, bar.width + 2, bar.height + 2}, 1, style.ink);
+ColorBarMargins color_bar_margins(const ColorScale& scale, const ColorBarStyle& style) {
+  constexpr double kDigit = 0.64;  // width of a character, of the text size
+  const double labels = kTick + kGap + kDigit * static_cast<double>(longest_label(scale));
+  const double right = std::max(5.0, labels + 1.6 * kTitle);
+  return {static_cast<int>(std::lround(2.1 * style.text_size)),
+          static_cast<int>(std::lround(right * style.text_size))};
+}
 
-  const auto height_of = [&](double value) {
-    return bar.y + bar.height * (scale.max - value) / (scale.max - scale.min);
-  };
-  const double right = bar.x + bar.width + 1, tick_end = right + kTick * size;
-  for (const double tick : round_ticks(scale.min, scale.max, 5)) {
-    const double y = std::floor(height_of(tick)) + 0.5;
-    line(image, right, y, tick_end, y, stroke, style.ink);
-    text.draw(image, tick_end + kGap * size, y + 0.36 * size, {{tick_label(tick)}}, size,
-              style.ink);
+ColorBar lay_out_color_bar(const Box& bar, const ColorBarMargins& margins, const ColorScale& scale,
+                           double tp, const ColorBarStyle& style) {
+  ColorBar layout;
+  const double size = style.text_size;
+  if (scale.categorical()) {
+    add_categories(layout, bar, scale, size);
+  } else {
+    add_bar(layout, bar, scale, tp, size);
   }
-  if (tp >= scale.min && tp <= scale.max) {
-    // An arrow head from the left, so that it never meets a tick's label.
-    const double y = std::floor(height_of(tp)) + 0.5, tip = bar.x - 2;
-    for (int step = 0; step <= std::lround(0.45 * size); ++step) {
-      line(image, tip - step - 1, y - 0.55 * step, tip - step - 1, y + 0.55 * step + 0.01, 1,
-           style.ink);
+  if (scale.unknown) {
+    const int side = static_cast<int>(1.2 * size);
+    add_swatch(layout, {bar.x, bar.y + bar.height + side, bar.width, side}, kUnknownColor, kUnknown,
+               size);
+  }
+  // The title: over the swatches, or along the bar.
+  if (scale.categorical()) {
+    layout.labels.push_back(
+        {static_cast<double>(bar.x), bar.y - 0.8 * size, title_of(*scale.field), size});
+  } else {
+    layout.labels.push_back({bar.x + bar.width + margins.right - 0.4 * kTitle * size,
+                             bar.y + bar.height / 2.0, title_of(*scale.field), kTitle * size,
+                             Align::centre, true});
+  }
+  return layout;
+}
+
+void draw_color_bar(io::Image& image, TextPainter& text, const ColorBar& layout, Rgb ink) {
+  for (const ColorBar::Fill& part : layout.fills) fill(image, part.box, part.color);
+  for (const Box& box : layout.frames) frame(image, box, 1, ink);
+  for (const ColorBar::Stroke& s : layout.strokes)
+    line(image, s.x0, s.y0, s.x1, s.y1, s.width, ink);
+  if (layout.arrow) {
+    const ColorBar::Arrow& arrow = *layout.arrow;
+    for (int step = 0; step <= std::lround(arrow.length); ++step) {
+      const double x = arrow.tip_x - step - 1;
+      line(image, x, arrow.tip_y - 0.55 * step, x, arrow.tip_y + 0.55 * step + 0.01, 1, ink);
     }
-    line(image, bar.x, y, bar.x + bar.width, y, stroke, style.ink);
-    text.draw(image, tip - 0.75 * size, y + 0.3 * size, symbol("T", "p"), size, style.ink,
-              Align::right);
   }
-  text.draw_upwards(image, bar.x + bar.width + color_bar_margins(style).right - 0.4 * kTitle * size,
-                    bar.y + bar.height / 2.0, TextLine{{"body temperature "}} + symbol("T", "b"),
-                    kTitle * size, style.ink);
+  for (const ColorBar::Label& label : layout.labels) {
+    if (label.upwards) {
+      text.draw_upwards(image, label.x, label.y, label.text, label.size, ink);
+    } else {
+      text.draw(image, label.x, label.y, label.text, label.size, ink, label.align);
+    }
+  }
 }
 
 }  // namespace pupflow::view

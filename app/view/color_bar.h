@@ -1,37 +1,71 @@
-// The bar that tells which colour means which body temperature.
+// The legend that tells which color means which value: a bar with ticks, or a swatch for each
+// category. One layout, which the pictures and the window each paint.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/view/canvas.h"
-#include "app/view/colormap.h"
+#include "app/view/color_scale.h"
 #include "app/view/text.h"
 
 namespace pupflow::view {
 
-/// Round values within [low, high], about `count` of them, evenly spaced by 1, 2 or 5 times a power
-/// of ten.
-std::vector<double> round_ticks(double low, double high, int count);
-
 /// `value` as short text for a label ("0.2", "-1").
 std::string tick_label(double value);
+
+/// What a field is called on axes and legends: label, symbol, unit.
+TextLine title_of(const Field& field);
 
 struct ColorBarStyle {
   double text_size = 16;  // em of the tick labels, pixels
   Rgb ink{40, 40, 40};
 };
 
-/// Pixels that labels need on either side of a bar.
+/// Pixels that labels and title need on either side of a bar. They do not depend on the data, so
+/// that pictures of one run are laid out alike.
 struct ColorBarMargins {
   int left = 0, right = 0;
 };
-ColorBarMargins color_bar_margins(const ColorBarStyle& style);
+ColorBarMargins color_bar_margins(const ColorScale& scale, const ColorBarStyle& style);
 
-/// Draws an upright bar filling `bar`, ticks and labels to its right, the preferred temperature
-/// `tp` marked with an arrow and T_p when it lies on the scale, and along it "body temperature
-/// T_b".
-void draw_color_bar(io::Image& image, TextPainter& text, const Box& bar, const ColorScale& scale,
-                    double tp, const ColorBarStyle& style);
+/// What a legend consists of, in pixels from the upper left corner, y downwards. All but the fills
+/// is drawn in ink, in this order.
+struct ColorBar {
+  struct Fill {
+    Box box;
+    Rgb color;
+  };
+  struct Stroke {
+    double x0, y0, x1, y1, width;
+  };
+  struct Arrow {  // a triangle pointing right
+    double tip_x, tip_y, length;
+  };
+  struct Label {
+    double x, y;  // of its baseline; where it reads upwards its middle
+    TextLine text;
+    double size;
+    Align align = Align::left;
+    bool upwards = false;
+  };
+  std::vector<Fill> fills;
+  std::vector<Box> frames;  // one pixel wide, just inside the box
+  std::vector<Stroke> strokes;
+  std::optional<Arrow> arrow;
+  std::vector<Label> labels;
+};
+
+/// The legend of a fitted scale in `bar`: ticks and labels to its right, the title along it,
+/// or over the swatches. Where
+/// the field is a temperature, the preferred temperature `tp` is marked if it lies on the scale.
+/// Values that are not known have a swatch below. `margins` are those of the scale before it was
+/// fitted.
+ColorBar lay_out_color_bar(const Box& bar, const ColorBarMargins& margins, const ColorScale& scale,
+                           double tp, const ColorBarStyle& style);
+
+/// Paints it into a picture.
+void draw_color_bar(io::Image& image, TextPainter& text, const ColorBar& layout, Rgb ink);
 
 }  // namespace pupflow::view

@@ -1,4 +1,4 @@
-// Colours of the maps. viridis and inferno by Nathaniel Smith and Stefan van der Walt, cividis by
+// Colors of the maps. viridis and inferno by Nathaniel Smith and Stefan van der Walt, cividis by
 // Jamie Nunez, Christopher Anderton and Ryan Renslow, all CC0; jet from its piecewise linear
 // definition. Rounded to bytes.
 #include "app/view/colormap_data.h"

@@ -1,9 +1,9 @@
-// The colours of each map, low to high.
+// The colors of each map, low to high.
 #pragma once
 
 #include <array>
 
-#include "app/view/colormap.h"
+#include "app/view/rgb.h"
 
 namespace pupflow::view {
 

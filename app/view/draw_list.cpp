@@ -66,6 +66,12 @@ void DrawList::update(const LitterView& litter, const ColorScale& scale, const C
   sphere_radius_ = static_cast<float>(litter.params.point_radius);
   arena_radius_ = static_cast<float>(litter.params.arena_radius);
   spheres_.clear();
+  const LitterField& field = *scale.field;
+  const auto pups = static_cast<std::size_t>(litter.pups);
+  const auto points = static_cast<std::size_t>(litter.points);
+  values_.resize(field.of_afferents ? pups * points : pups);
+  field.fill(litter, values_);
+  scale_ = scale.fitted(values_);
 
   const float outside = 1 + kRimWidth;
   Eigen::Vector3f low = arena_radius_ * Eigen::Vector3f(-outside, -outside, -kRimDepth);
@@ -76,10 +82,11 @@ void DrawList::update(const LitterView& litter, const ColorScale& scale, const C
   for (int pup = 0; pup < litter.pups; ++pup) {
     litter.positions.copy_pup_to(pup, xyz_);
     const std::span<const float> xyz = xyz_;
-    const Rgb color = scale(litter.tb[static_cast<std::size_t>(pup)]);
     const bool cull = culling == Culling::hidden;
     const Skin skin = cull ? Skin(xyz, sphere_radius_, camera) : Skin();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(litter.points); ++i) {
+    const std::size_t first = static_cast<std::size_t>(pup) * (field.of_afferents ? points : 1);
+    Rgb color = field.of_afferents ? Rgb{} : scale_(values_[first]);
+    for (std::size_t i = 0; i < points; ++i) {
       const Eigen::Map<const Eigen::Vector3f> point(&xyz[3 * i]);
       if (!point.allFinite()) continue;  // a litter whose numbers went bad shows what is left of it
       low = low.cwiseMin(point);
@@ -89,6 +96,7 @@ void DrawList::update(const LitterView& litter, const ColorScale& scale, const C
         const Eigen::Vector3f sight = perspective ? (eye - point).eval() : backward;
         if (normal.dot(sight) < kFacingAway * normal.norm() * sight.norm()) continue;
       }
+      if (field.of_afferents) color = scale_(values_[first + i]);
       spheres_.push_back({point.x(), point.y(), point.z(), color.r, color.g, color.b, 255});
     }
   }

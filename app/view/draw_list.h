@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/view/camera.h"
-#include "app/view/colormap.h"
+#include "app/view/color_scale.h"
 #include "pupflow/view.h"
 
 namespace pupflow::view {
@@ -30,8 +30,9 @@ enum class Culling {
 /// The arena and the visible points of a litter. Its arrays are reused from frame to frame.
 class DrawList {
  public:
-  /// Fills the list, each point in its pup's colour by body temperature, for a look through
-  /// `camera`. Bounds are those of all points, culled or not. With Culling::hidden the list must be
+  /// Fills the list for a look through `camera`. Each point gets the color of its value of
+  /// `scale.field`: its own, or its pup's. The scale is fitted to this litter where the data decides
+  /// its ends. Bounds are those of all points, culled or not. With Culling::hidden the list must be
   /// updated when the camera turns or moves.
   void update(const LitterView& litter, const ColorScale& scale, const Camera& camera,
               Culling culling = Culling::hidden);
@@ -39,11 +40,14 @@ class DrawList {
   std::span<const Sphere> spheres() const { return spheres_; }
   float sphere_radius() const { return sphere_radius_; }
   float arena_radius() const { return arena_radius_; }
-  const Bounds& bounds() const { return bounds_; }  // of spheres and arena
+  const Bounds& bounds() const { return bounds_; }    // of spheres and arena
+  const ColorScale& scale() const { return scale_; }  // of the last update, fitted
 
  private:
   std::vector<Sphere> spheres_;
-  std::vector<float> xyz_;  // of one pup
+  std::vector<float> xyz_;      // of one pup
+  std::vector<double> values_;  // of the field that is shown
+  ColorScale scale_;
   float sphere_radius_ = 0, arena_radius_ = 0;
   Bounds bounds_;
 };

@@ -1,11 +1,12 @@
 // The arena in its part of the window: the camera that the mouse moves, drawing, pictures.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/gl/renderer.h"
 #include "app/gl/target.h"
-#include "app/pictures/graphics.h"
+#include "app/pictures/look.h"
 #include "app/view/camera.h"
 #include "app/view/draw_list.h"
 #include "app/window/session.h"
@@ -15,49 +16,42 @@ namespace pupflow::window {
 /// Draws snapshots. A context must be current whenever a function here runs.
 class ArenaView {
  public:
-  static constexpr const char* kUsualCamera = "orbit:30,35";
-
   /// Throws Failure for shaders that cannot be used.
   explicit ArenaView(const pictures::Look& look);
 
-  /// Looks as `spec` says (see view::Camera::parse), the arena filling the picture.
-  void look_from(const std::string& spec);
+  /// Looks through `camera`, the arena filling the picture.
+  void look_from(const view::Camera& camera) { camera_ = camera; }
 
   // The mouse: turns by radians, moves by shares of the picture's height, comes nearer by a factor.
-  void orbit(double d_azimuth, double d_elevation);
-  void pan(double right, double up);
-  void zoom(double factor);
+  void orbit(double d_azimuth, double d_elevation) { camera_.orbit(d_azimuth, d_elevation); }
+  void pan(double right, double up) { camera_.pan(right, up); }
+  void zoom(double factor) { camera_.zoom(factor); }
 
   const view::Camera& camera() const { return camera_; }
 
   /// Draws `snapshot` into a store of its own, `width` x `height` pixels with `samples` x `samples`
-  /// samples each, unless it is drawn there already. `fresh` says that the snapshot is another one
-  /// than last time. Returns whether anything was drawn.
-  bool draw(const LiveState& snapshot, bool fresh, const pictures::Look& look, int width,
+  /// samples each in the colors of `scale`, unless it is drawn there already. `fresh` says that the
+  /// snapshot is another one than last time. Returns whether anything was drawn.
+  bool draw(const LiveState& snapshot, bool fresh, const view::ColorScale& scale, int width,
             int height, int samples);
 
   /// Copies what was drawn to (x, y) (lower left) of the window.
   void show(int x, int y) const { store_.copy_to(0, x, y); }
 
   /// Writes the picture that `pupflow render` would make from here, in its usual size, with the
-  /// colour bar and all that is needed to make it again. Overwrites nothing. Throws Failure.
+  /// color bar and all that is needed to make it again. Overwrites nothing. Throws Failure.
   void write_picture(const std::string& path, const LiveState& snapshot,
                      const pictures::Look& look);
 
  private:
-  void load(const LiveState& snapshot, const pictures::Look& look, const view::Camera& camera);
-  view::Camera framed(const LiveState& snapshot, double aspect) const;
-
   gl::Renderer renderer_;
   gl::Target store_;
   view::DrawList list_;
-  std::string spec_ = kUsualCamera;  // what the camera is while nobody has moved it
-  view::Camera camera_;
-  bool moved_ = false;
+  view::Camera camera_ = view::Camera::parse(view::Camera::kUsual);
 
   // What the store shows.
   view::Camera drawn_camera_;
-  std::string drawn_map_;
+  std::optional<view::ColorScale> drawn_scale_;
   int drawn_samples_ = 0;
 };
 

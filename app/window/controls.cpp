@@ -13,6 +13,11 @@ void Controls::propose(const Params& candidate) {
   commands.push_back(Edit{params});
 }
 
+void Controls::color_by(const LitterField& field) {
+  look.scale = view::ColorScale(field);
+  commands.push_back(ColorBy{&field});
+}
+
 void Controls::set_speed(double factor) {
   speed = std::clamp(factor, kSlowest, kFastest);
   set_as_fast(false);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/pictures/graphics.h"
+#include "app/pictures/look.h"
 #include "app/window/key_map.h"
 #include "app/window/session.h"
 
@@ -29,6 +29,9 @@ struct Controls {
   /// Makes `candidate` the parameters and asks the runner to take them, if it is sound; otherwise
   /// says why in `problem`.
   void propose(const Params& candidate);
+
+  /// Shows another field in colors, with the usual color map and range of its kind.
+  void color_by(const LitterField& field);
 
   /// The slider range of `speed`.
   static constexpr double kSlowest = 1.0 / 16, kFastest = 64;

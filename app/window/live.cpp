@@ -5,7 +5,7 @@
 
 namespace pupflow::window {
 
-void run_live(const pictures::LiveJob& job) {
+void run_live(const LiveJob& job) {
   try {
     LiveWindow(job).run();
   } catch (const io::Failure& failure) {

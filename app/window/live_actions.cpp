@@ -92,7 +92,7 @@ void LiveWindow::carry_out(double now) {
 
 void LiveWindow::perform(Action action, double now) {
   const auto look_from = [&](const char* spec) {
-    arena_.look_from(spec);
+    arena_.look_from(view::Camera::parse(spec));
     schedule_.view_moved(now);
   };
   schedule_.panels_changed();  // the next frame shows the result
@@ -128,7 +128,7 @@ void LiveWindow::perform(Action action, double now) {
       controls_.set_as_fast(!controls_.as_fast);
       break;
     case Action::reset_camera:
-      look_from(ArenaView::kUsualCamera);
+      look_from(view::Camera::kUsual);
       break;
     case Action::top_view:
       look_from("top");

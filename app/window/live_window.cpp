@@ -11,6 +11,7 @@
 #include "app/gl/load.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
+#include "app/window/legend.h"
 
 namespace pupflow::window {
 namespace {
@@ -30,7 +31,7 @@ void clear(const view::Rgb& color) {
 
 }  // namespace
 
-LiveWindow::LiveWindow(const pictures::LiveJob& job)
+LiveWindow::LiveWindow(const LiveJob& job)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
       arena_(job.look),
@@ -44,6 +45,7 @@ LiveWindow::LiveWindow(const pictures::LiveJob& job)
   picture_path(job.screenshot, 0);  // a bad pattern fails now, not with the first screenshot
   controls_.params = job.params;
   controls_.look = job.look;
+  runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();
   gui_ = std::make_unique<Gui>(window_, job.ui_scale);
   install_key_callback();
@@ -111,6 +113,8 @@ void LiveWindow::frame(double now) {
   const LiveState& snapshot = runner_.snapshot();
   const double rate = snapshot.playing ? schedule_.frames_per_second() : 0;
   observe(panels_.draw(layout, snapshot, rate, controls_, gui_->fonts(), events_));
+  fit_scale();
+  draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
   events_.text(text_has_keyboard());
@@ -128,6 +132,12 @@ void LiveWindow::observe(bool observed) {
   observed_ = observed;
 }
 
+/// After the panels, which may have chosen another field.
+void LiveWindow::fit_scale() {
+  const view::ColorScale& wanted = controls_.look.scale;
+  scale_ = wanted.fitted(wanted.field->values(runner_.snapshot().view()));
+}
+
 void LiveWindow::paint(const Layout& layout) {
   const auto pixels = [&](float length) {
     return static_cast<int>(std::lround(length * gui_->density()));
@@ -137,7 +147,7 @@ void LiveWindow::paint(const Layout& layout) {
   const int x = pixels(layout.arena.corner.x);
   const int arena_width = std::min(pixels(layout.arena.size.x), width - x);
   const int samples = schedule_.samples(controls_.look.supersample);
-  arena_.draw(runner_.snapshot(), schedule_.fresh(), controls_.look, std::max(arena_width, 1),
+  arena_.draw(runner_.snapshot(), schedule_.fresh(), scale_, std::max(arena_width, 1),
               std::max(height, 1), samples);
   clear(gl::Palette{}.background);
   arena_.show(x, 0);

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "app/context/glfw_window.h"
-#include "app/pictures/graphics.h"
 #include "app/window/arena_view.h"
 #include "app/window/controls.h"
 #include "app/window/gui.h"
+#include "app/window/live_job.h"
 #include "app/window/panels.h"
 #include "app/window/redraw_schedule.h"
 #include "app/window/runner.h"
@@ -21,7 +21,7 @@ namespace pupflow::window {
 class LiveWindow {
  public:
   /// Opens the window. Throws Failure and InvalidParams.
-  explicit LiveWindow(const pictures::LiveJob& job);
+  explicit LiveWindow(const LiveJob& job);
   LiveWindow(const LiveWindow&) = delete;
   LiveWindow& operator=(const LiveWindow&) = delete;
 
@@ -36,6 +36,7 @@ class LiveWindow {
   void exchange_snapshots(double now);
   void frame(double now);
   void observe(bool observed);
+  void fit_scale();
   void paint(const Layout& layout);
 
   // live_actions.cpp: what keys, buttons and the mouse do.
@@ -49,7 +50,7 @@ class LiveWindow {
   void take_picture();
   void show(const std::string& message);
 
-  pictures::LiveJob job_;
+  LiveJob job_;
   context::GlfwWindow window_;  // outlives everything that lives in its context
   ArenaView arena_;
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
@@ -59,7 +60,8 @@ class LiveWindow {
   Runner runner_;
   RedrawSchedule schedule_;
   std::string message_;
-  bool observed_ = false;  // the panels showed the observables in the last frame
+  view::ColorScale scale_;  // the look's, fitted to the snapshot that is shown
+  bool observed_ = false;   // the panels showed the observables in the last frame
 };
 
 }  // namespace pupflow::window

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "app/view/color_bar.h"
-
 namespace pupflow::window {
 namespace {
 
@@ -11,48 +9,7 @@ constexpr ImGuiWindowFlags kFloating =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
 
-ImU32 packed(view::Rgb color) {
-  return IM_COL32(color.r, color.g, color.b, 255);
-}
-
-/// A bar from `low` (upper left) in as many strips as it has pixels in height.
-void draw_strips(ImDrawList& list, ImVec2 low, ImVec2 size, const view::ColorScale& scale) {
-  const int strips = std::max(1, static_cast<int>(size.y));
-  for (int i = 0; i < strips; ++i) {
-    const double share = (i + 0.5) / strips;
-    const double value = scale.max + share * (scale.min - scale.max);
-    const float y = low.y + size.y * static_cast<float>(i) / static_cast<float>(strips);
-    list.AddRectFilled({low.x, y}, {low.x + size.x, y + size.y / static_cast<float>(strips)},
-                       packed(scale(value)));
-  }
-  list.AddRect(low, {low.x + size.x, low.y + size.y}, kFaint);
-}
-
 }  // namespace
-
-void draw_color_bar(const Area& strip, const view::ColorScale& scale, double tp,
-                    const Fonts& fonts) {
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const float em = ImGui::GetFontSize();
-  const ImVec2 size{em, std::min(22 * em, 0.6f * strip.size.y)};
-  const ImVec2 low{strip.corner.x + 2.4f * em, strip.middle().y - size.y / 2};
-  draw_strips(list, low, size, scale);
-  const auto height_of = [&](double value) {
-    return low.y + size.y * static_cast<float>((scale.max - value) / (scale.max - scale.min));
-  };
-  for (const double tick : view::round_ticks(scale.min, scale.max, 5)) {
-    const float y = height_of(tick);
-    list.AddLine({low.x + size.x, y}, {low.x + size.x + 0.3f * em, y}, kFaint);
-    const std::string label = view::tick_label(tick);
-    list.AddText({low.x + size.x + 0.5f * em, y - 0.55f * em}, kInk, label.c_str());
-  }
-  draw_rich_text(list, fonts, {low.x, low.y - 1.8f * em}, kInk, "T_b");
-  if (tp < scale.min || tp > scale.max) return;
-  const float y = height_of(tp);
-  list.AddTriangleFilled({low.x - 0.15f * em, y}, {low.x - 0.7f * em, y - 0.35f * em},
-                         {low.x - 0.7f * em, y + 0.35f * em}, kInk);
-  draw_rich_text(list, fonts, {low.x - 2.2f * em, y - 0.6f * em}, kInk, "T_p");
-}
 
 void draw_help(const Area& arena, Controls& controls, const Fonts& fonts, TestEvents& events) {
   events.help(controls.help);

@@ -4,13 +4,14 @@
 #include <cstdio>
 #include <string>
 
+#include "app/window/legend.h"
 #include "app/window/numbers_panel.h"
 #include "app/window/run_panel.h"
 
 namespace pupflow::window {
 namespace {
 
-constexpr float kLeftWidth = 424, kRightWidth = 290, kLeastArena = 400, kBarWidth = 84;
+constexpr float kLeftWidth = 424, kRightWidth = 290, kLeastArena = 400;
 
 constexpr ImGuiWindowFlags kPanel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
@@ -33,24 +34,55 @@ void draw_problem(const Controls& controls, const LiveState& snapshot) {
   ImGui::PopStyleColor();
 }
 
+/// A list of choices. `choices` says each of them by `choice(name, label, chosen)`, which returns
+/// whether it was picked.
+template <class Choices>
+void draw_combo(const char* label, const char* name, std::string_view present, TestEvents& events,
+                const Choices& choices) {
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11);
+  const bool open =
+      ImGui::BeginCombo(label, std::string(present).c_str(), ImGuiComboFlags_HeightLarge);
+  events.widget(name);
+  if (!open) return;
+  choices([&](std::string_view item, std::string_view text, bool chosen) {
+    const std::string shown = std::string(text) + "##" + std::string(item);
+    const bool picked = ImGui::Selectable(shown.c_str(), chosen);
+    events.widget(std::string(name) + '-' + std::string(item));
+    return picked;
+  });
+  ImGui::EndCombo();
+}
+
+void draw_field_choice(Controls& controls, TestEvents& events) {
+  const LitterField& present = *controls.look.scale.field;
+  draw_combo("colors", "color_by", present.label, events, [&](const auto& choice) {
+    for (const auto table : {pup_fields(), afferent_fields()}) {
+      for (const LitterField& field : table) {
+        // By name: the field of the command line is in the executable's own table.
+        const bool chosen = field.name == present.name;
+        if (choice(field.name, field.label, chosen) && !chosen) controls.color_by(field);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(field.doc).c_str());
+      }
+    }
+  });
+}
+
+void draw_map_choice(Controls& controls, TestEvents& events) {
+  view::ColorScale& scale = controls.look.scale;
+  draw_combo("color map", "colormap", scale.map_name, events, [&](const auto& choice) {
+    for (const std::string_view name : view::colormap_names()) {
+      if (choice(name, name, name == scale.map_name)) scale.set_map(name);
+    }
+  });
+}
+
 void draw_view(const LiveState& snapshot, double frames_per_second, Controls& controls,
                TestEvents& events) {
   const bool open = ImGui::CollapsingHeader("view", ImGuiTreeNodeFlags_DefaultOpen);
   events.widget("view");
   if (!open) return;
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9);
-  const bool combo = ImGui::BeginCombo("colour map", controls.look.colormap.c_str());
-  events.widget("colormap");
-  if (combo) {
-    for (const std::string_view name : view::colormap_names()) {
-      const std::string text(name);
-      if (ImGui::Selectable(text.c_str(), text == controls.look.colormap)) {
-        controls.look.colormap = text;
-      }
-      events.widget("colormap-" + text);
-    }
-    ImGui::EndCombo();
-  }
+  draw_field_choice(controls, events);
+  if (!controls.look.scale.categorical()) draw_map_choice(controls, events);
   ImGui::TextDisabled("%.0f \u00b5s a step", snapshot.microseconds_per_step);
   ImGui::SameLine(0, ImGui::GetFontSize());
   if (frames_per_second > 0) {
@@ -80,7 +112,7 @@ Layout make_layout(float width, float height, float scale, bool panels) {
   layout.two_panels = panels && width >= left + right + kLeastArena * scale;
   const float arena_end = layout.two_panels ? width - right : width;
   layout.left = {{0, 0}, {left, height}};
-  const float bar = std::min(kBarWidth * scale, 0.3f * (arena_end - left));
+  const float bar = std::min(kLegendWidth * scale, 0.3f * (arena_end - left));
   layout.arena = {{left, 0}, {arena_end - left - bar, height}};
   layout.bar = {{arena_end - bar, 0}, {bar, height}};
   layout.right = {{arena_end, 0}, {width - arena_end, height}};
@@ -109,9 +141,6 @@ bool Panels::draw(const Layout& layout, const LiveState& snapshot, double frames
     draw_view(snapshot, frames_per_second, controls, events);
     ImGui::End();
   }
-  const view::ColorScale scale(controls.look.colormap, controls.look.scale_min,
-                               controls.look.scale_max);
-  draw_color_bar(layout.bar, scale, snapshot.view().params.preferred_temperature, fonts);
   draw_warnings(layout.arena, snapshot);
   draw_bad_status(layout.arena, snapshot, controls, fonts, events);
   draw_help(layout.arena, controls, fonts, events);

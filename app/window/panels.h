@@ -1,7 +1,7 @@
 // Where everything stands in the window: panels at the sides, the arena between them.
 #pragma once
 
-#include "app/view/colormap.h"
+#include "app/window/area.h"
 #include "app/window/controls.h"
 #include "app/window/overlays.h"
 #include "app/window/parameter_panel.h"
@@ -14,7 +14,7 @@ namespace pupflow::window {
 /// Rectangles in window coordinates. A narrow window has one panel that holds everything.
 struct Layout {
   Area left, right;
-  Area arena, bar;  // of which the colour bar has a strip at the right edge
+  Area arena, bar;  // of which the legend of the colors has a strip at the right edge
   bool two_panels = false;
 };
 

@@ -99,7 +99,7 @@ void draw_seed(Controls& controls, TestEvents& events) {
   ImGui::SameLine();
   if (ImGui::Button("New seed", {button_width, 0})) controls.actions.push_back(Action::new_seed);
   events.widget("new_seed");
-  tip("Start again with a seed that nobody chose (Shift + R)");
+  tip("Start again with a random seed (Shift + R)");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace pupflow::window {
 
-/// A seed that nobody chose.
+/// A random seed.
 std::int64_t new_seed();
 
 /// Draws the buttons, the clock, speed and seed into the current Dear ImGui window.

@@ -1,4 +1,4 @@
-// How the panels look: typeface, sizes, colours.
+// How the panels look: typeface, sizes, colors.
 #pragma once
 
 #include <imgui.h>
@@ -19,10 +19,10 @@ struct Fonts {
 /// made anew afterwards.
 Fonts load_fonts(float scale, float density);
 
-/// Colours, margins and roundings, the latter two `scale` times their ordinary size.
+/// Colors, margins and roundings, the latter two `scale` times their ordinary size.
 void apply_theme(float scale);
 
-// Colours beyond those of ImGuiCol_.
+// Colors beyond those of ImGuiCol_.
 constexpr ImU32 kInk = IM_COL32(38, 42, 48, 255);
 constexpr ImU32 kFaint = IM_COL32(112, 119, 128, 255);
 constexpr ImU32 kAccent = IM_COL32(22, 110, 143, 255);

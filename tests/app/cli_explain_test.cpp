@@ -65,7 +65,7 @@ TEST_F(CliExplain, TellsWhichPartsOfAStageAreOutAndWhy) {
                "beta=1", "--set", "face_points=3", "--after", "3", "--quiet"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.out, ContainsRegex("\nsteering +yes +[0-9.]+ +[#.]+ +[a-z]"));
-  EXPECT_THAT(outcome.out, ContainsRegex("\n- turn +no +- +v = 0: nobody turns\n"));
+  EXPECT_THAT(outcome.out, ContainsRegex("\n- turn +no +- +v = 0: no pup turns\n"));
   EXPECT_THAT(outcome.out, ContainsRegex("\n- mean T_c +no +- +k2 = 0: "));
   EXPECT_THAT(outcome.out, ContainsRegex("\n- rotation +no +- +beta = 1: "));
   EXPECT_THAT(outcome.out, Not(HasSubstr("\n- quadratic"))) << "it is needed";

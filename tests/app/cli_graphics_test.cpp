@@ -77,7 +77,7 @@ TEST_F(CliGraphics, RenderHandsOverItsJob) {
   EXPECT_EQ(plain.code, 0) << plain.err;
   EXPECT_EQ(plain.out,
             "render seed=1 at 40\n1280x960 camera=orbit:30,35 bar=1\n"
-            "viridis 0..1 n=2 verbose=0 shaders='' out=frames/%05d.png force=0 quiet=0\n");
+            "tb by viridis 0..1 n=2 verbose=0 shaders='' out=frames/%05d.png force=0 quiet=0\n");
   const Outcome full = pupflow(
       {"render",  "cold",          "--seed", "9",         "--at",         "30,0,30,2", "--size",
        "64x48",   "--camera",      "top",    "--no-bar",  "--colormap",   "cividis",   "--scale",
@@ -85,9 +85,41 @@ TEST_F(CliGraphics, RenderHandsOverItsJob) {
        "a%d.png", "--force",       "--quiet"});
   EXPECT_EQ(full.out,
             "render seed=9 at 0 2 30\n64x48 camera=top bar=0\n"
-            "cividis -1..0.5 n=3 verbose=1 shaders='.' out=a%d.png force=1 quiet=1\n");
+            "tb by cividis -1..0.5 n=3 verbose=1 shaders='.' out=a%d.png force=1 quiet=1\n");
   EXPECT_THAT(pupflow({"render", "--every", "10", "--steps", "35"}).out,
               HasSubstr("at 10 20 30\n"));
+}
+
+TEST_F(CliGraphics, AnyFieldIsShownInColorsByItsOwnScale) {
+  give_module();
+  const auto look = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "--steps", "1"});
+    const std::string out = pupflow(options).out;
+    const std::string last = out.substr(out.find('\n', out.find('\n') + 1) + 1);
+    return last.substr(0, last.find(" n="));
+  };
+  EXPECT_EQ(look({"--color-by", "exposed"}), "exposed by viridis 0..1");
+  EXPECT_EQ(look({"--color-by", "strain", "--scale", "0,0.1"}), "strain by viridis 0..0.1");
+  EXPECT_EQ(look({"--color-by", "deformation"}), "deformation by viridis 0..nan");
+  EXPECT_EQ(look({"--color-by", "turn"}), "turn by bluered -1.5708..1.5708");
+  EXPECT_EQ(look({"--color-by", "heading"}), "heading by phase -3.14159..3.14159");
+  EXPECT_EQ(look({"--color-by", "side"}), "side by  0..1");
+  EXPECT_THAT(pupflow({"figure1", "--color-by", "group"}).out, HasSubstr("group by "));
+}
+
+TEST_F(CliGraphics, ColorByRefusesWhatCannotBe) {
+  for (const char* verb : {"render", "figure1", "live"}) {
+    EXPECT_EQ(refused({verb, "--color-by", "groop"}),
+              "pupflow: --color-by: unknown field 'groop'; did you mean 'group'?\n");
+  }
+  EXPECT_THAT(refused({"render", "--color-by", "warmth"}), HasSubstr("one of tb, "));
+  EXPECT_THAT(refused({"render", "--color-by", "mean_tb"}), HasSubstr("unknown field"));
+  EXPECT_EQ(refused({"render", "--color-by", "group", "--scale", "0,1"}),
+            "pupflow: --scale 0,1: group is categorical: it has no scale\n");
+  EXPECT_THAT(refused({"render", "--color-by", "heading", "--scale", "0,1"}), HasSubstr("angle"));
+  EXPECT_THAT(refused({"live", "--color-by", "side", "--colormap", "jet"}),
+              HasSubstr("categorical"));
+  refused({"render", "--color-by", ""});
 }
 
 TEST_F(CliGraphics, RenderRefusesBadOptions) {
@@ -111,8 +143,8 @@ TEST_F(CliGraphics, RenderRefusesBadOptions) {
 
 TEST_F(CliGraphics, Figure1HandsOverItsJob) {
   give_module();
-  EXPECT_THAT(pupflow({"figure1"}).out,
-              StartsWith("figure1 seed=1 panel=560 threads=0 ta 0.2 0.5 0.8\n"));
+  EXPECT_THAT(pupflow({"figure1", "--threads", "3"}).out,
+              StartsWith("figure1 seed=1 panel=560 threads=3 ta 0.2 0.5 0.8\n"));
   EXPECT_THAT(pupflow({"figure1", "--ta", "-0.5,1", "--panel", "120", "--seed", "3", "--threads",
                        "2", "--out", "f.png"})
                   .out,

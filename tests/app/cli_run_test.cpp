@@ -6,6 +6,7 @@
 #include <sstream>
 #include <thread>
 
+#include "app/io/params_of_file.h"
 #include "app/io/provenance.h"
 #include "app/io/scene_file.h"
 #include "program.h"
@@ -140,7 +141,7 @@ TEST_F(CliRun, PrintsMeansThatReadBackToTheSameValue) {
   while (simulation.steps_done() < params.steps && simulation.step().ok()) {
     means.add(simulation, observer.observe(simulation));
   }
-  std::istringstream after(outcome.out.substr(outcome.out.find("mean body temperature") + 21));
+  std::istringstream after(outcome.out.substr(outcome.out.find("body temperature T_b") + 20));
   double printed = 0;
   after >> printed;
   EXPECT_EQ(printed, means.means().mean_tb);

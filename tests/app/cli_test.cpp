@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "program.h"
+#include "pupflow/observer.h"
 #include "pupflow/parameters.h"
 #include "tests/support/scratch.h"
 
@@ -14,7 +15,7 @@ using testing::IsEmpty;
 using testing::MatchesRegex;
 
 const std::vector<std::string> kVerbs{"live",    "run",    "render", "figure1",
-                                      "explain", "params", "doctor"};
+                                      "explain", "params", "fields", "doctor"};
 
 class Cli : public testing::Test {
  protected:
@@ -106,6 +107,26 @@ TEST_F(Cli, ParamsListsEveryParameterInEachFormat) {
   }
   EXPECT_THAT(pupflow({"params", "cold", "--format", "json"}).out,
               HasSubstr("\"default\": 0.4, \"value\": 0.2"));
+}
+
+TEST_F(Cli, FieldsListsEveryFieldInEachFormat) {
+  std::vector<std::string> names;
+  for (const Field& field : run_statistics()) names.emplace_back(field.name);
+  for (const Field& field : pup_fields()) names.emplace_back(field.name);
+  for (const Field& field : afferent_fields()) names.emplace_back(field.name);
+  for (const std::string format : {"text", "markdown", "json"}) {
+    const Outcome outcome = pupflow({"fields", "--format", format});
+    EXPECT_EQ(outcome.code, 0);
+    for (const std::string& name : names) {
+      const std::string wanted = format == "text"       ? "\n" + name + " "
+                                 : format == "markdown" ? "| `" + name + "` |"
+                                                        : "{\"name\": \"" + name + "\"";
+      EXPECT_THAT(outcome.out, HasSubstr(wanted)) << format;
+    }
+  }
+  EXPECT_THAT(pupflow({"fields"}).out,
+              testing::ContainsRegex("heading +pup +θ +rad +−π … π +angle"));
+  EXPECT_THAT(refused({"fields", "--format", "xml"}), HasSubstr("markdown"));
 }
 
 TEST_F(Cli, OutWritesAFileAndForceReplacesIt) {

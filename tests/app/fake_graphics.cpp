@@ -4,16 +4,24 @@
 #include <cstdio>
 #include <thread>
 
+#include "app/graphics/graphics.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
-#include "app/pictures/graphics.h"
 
-namespace pupflow::pictures {
+namespace pupflow::graphics {
 namespace {
 
+using context::ContextReport;
+using pictures::Figure1Job;
+using pictures::Look;
+using pictures::Output;
+using pictures::RenderJob;
+using window::LiveJob;
+
 void print_look(const Look& look, const Output& output) {
-  std::printf("%s %g..%g n=%d verbose=%d shaders='%s' out=%s force=%d quiet=%d\n",
-              look.colormap.c_str(), look.scale_min, look.scale_max, look.supersample, look.verbose,
+  std::printf("%s by %s %g..%g n=%d verbose=%d shaders='%s' out=%s force=%d quiet=%d\n",
+              std::string(look.scale.field->name).c_str(), std::string(look.scale.map_name).c_str(),
+              look.scale.min, look.scale.max, look.supersample, look.verbose,
               look.shader_dir.c_str(), output.path.c_str(), output.force, output.quiet);
 }
 
@@ -22,7 +30,8 @@ class FakeGraphics : public Graphics {
   void render(const RenderJob& job) override {
     std::printf("render seed=%lld at", static_cast<long long>(job.params.seed));
     for (const std::int64_t step : job.at) std::printf(" %lld", static_cast<long long>(step));
-    std::printf("\n%dx%d camera=%s bar=%d\n", job.width, job.height, job.camera.c_str(), job.bar);
+    std::printf("\n%dx%d camera=%s bar=%d\n", job.width, job.height, job.camera.spec().c_str(),
+                job.bar);
     print_look(job.look, job.output);
   }
 
@@ -52,10 +61,10 @@ class FakeGraphics : public Graphics {
 };
 
 }  // namespace
-}  // namespace pupflow::pictures
+}  // namespace pupflow::graphics
 
-extern "C" __attribute__((visibility("default"))) pupflow::pictures::Graphics*
+extern "C" __attribute__((visibility("default"))) pupflow::graphics::Graphics*
 pupflow_graphics_entry() {
-  static pupflow::pictures::FakeGraphics graphics;
+  static pupflow::graphics::FakeGraphics graphics;
   return &graphics;
 }

@@ -3,6 +3,7 @@
 
 #include "app/io/checkpoint.h"
 #include "app/io/hdf5_file.h"
+#include "app/io/params_of_file.h"
 #include "app/io/provenance.h"
 #include "app/io/recording.h"
 #include "failing.h"

@@ -1,4 +1,5 @@
 #include "app/io/provenance.h"
+#include "app/io/params_of_file.h"
 
 #include <gmock/gmock.h>
 
@@ -41,7 +42,8 @@ TEST(Provenance, ParametersReadBackFromEntries) {
 TEST(Provenance, ParametersReadBackFromPng) {
   const test::Scratch scratch;
   const Params params = unusual_params();
-  write_png(scratch.path("a.png"), Image(8, 8), provenance(params, {{"step", "12"}}), false);
+  write_png(scratch.path("a.png"), Image(8, 8),
+            provenance(params, {{"picture", "render"}, {"step", "12"}}), false);
   EXPECT_EQ(params_of_file(scratch.path("a.png")), params);
   EXPECT_EQ(read_png_text(scratch.path("a.png")).back().second, "12");
 }
@@ -74,6 +76,28 @@ TEST(Provenance, AFileWithoutAParameterMeansWhatItsVersionDid) {
             "sum\n");
   EXPECT_EQ(taken.contact, ContactRule::sum);  // what ran before there was a choice
   EXPECT_EQ(taken.deformation, 0.5);           // the default
+}
+
+TEST(Provenance, AParameterOfANewerVersionIsRefusedByName) {
+  const std::pair<std::string, std::string> newer("viscosity", "0.5");
+  const auto refusal = [](const TextEntries& entries) {
+    return failure_of(ExitCode::bad_input, [&] { params_from(entries, "new.png"); });
+  };
+  TextEntries entries = provenance(Params{}, {{"picture", "render"}, {"step", "12"}});
+  const auto first = entries.begin() + 1;
+  const auto behind = std::find_if(first, entries.end(),
+                                   [](const auto& entry) { return entry.first == "picture"; });
+  for (const auto& place : {first, behind}) {
+    TextEntries with = entries;
+    with.insert(with.begin() + (place - entries.begin()), newer);
+    EXPECT_EQ(refusal(with), "new.png: this version has no parameter 'viscosity'");
+  }
+  entries.push_back(newer);  // behind "picture" it tells of the picture
+  EXPECT_EQ(params_from(entries, "new.png"), Params{});
+}
+
+TEST(Provenance, NothingElseIsWrittenWhereParametersStand) {
+  EXPECT_THROW(provenance(Params{}, {{"step", "12"}}), std::logic_error);
 }
 
 TEST(Provenance, RefusesWhatIsNotOursOrWrong) {

@@ -14,6 +14,10 @@ TEST(Table, ColumnsAreAsWideAsTheirWidestCell) {
             "a     µs  c\nlong  1\n      22  d\n");
 }
 
+TEST(Table, ABarDoesNotEndACellOfMarkdown) {
+  EXPECT_EQ(markdown_table({{"a", "b"}, {"|x|", ""}}), "| a | b |\n|---|---|\n| \\|x\\| | |\n");
+}
+
 TEST(Table, ABarIsAsLongAsItsShare) {
   EXPECT_EQ(bar(10, 10), std::string(16, '#'));
   EXPECT_EQ(bar(5, 10), std::string(8, '#'));

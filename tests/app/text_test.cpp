@@ -53,5 +53,24 @@ TEST(FramePath, RefusesAnythingElse) {
   }
 }
 
+TEST(Text, IsSplitAtSeparators) {
+  EXPECT_EQ(split("a,,b", ','), (std::vector<std::string_view>{"a", "", "b"}));
+  EXPECT_EQ(split("", ','), (std::vector<std::string_view>{""}));
+}
+
+TEST(Text, IsJoinedWithSeparators) {
+  EXPECT_EQ(joined(std::vector<std::string>{"", "a"}, ", "), ", a");
+  EXPECT_EQ(joined(std::vector<int>{1, 2}, "+", [](int n) { return std::to_string(n); }), "1+2");
+  EXPECT_EQ(joined(std::vector<std::string>{}, ", "), "");
+}
+
+TEST(Text, IsANumberWhenThatIsAll) {
+  EXPECT_EQ(read_number<int>("-12"), -12);
+  EXPECT_EQ(read_number<double>("1e3"), 1000);
+  for (const char* text : {"", " 1", "1 ", "+1", "1x", "1.5"}) {
+    EXPECT_EQ(read_number<int>(text), std::nullopt) << text;
+  }
+}
+
 }  // namespace
 }  // namespace pupflow::io

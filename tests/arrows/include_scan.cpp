@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <regex>
 #include <sstream>
@@ -11,8 +12,7 @@
 namespace pupflow::arrows {
 namespace {
 
-/// A folder or a single file, and the other folders or headers that it may include. A file's own
-/// row counts before its folder's.
+/// A folder, and the other folders or headers that it may include.
 struct Layer {
   std::string_view folder;
   std::vector<std::string_view> may_include;
@@ -40,10 +40,10 @@ const std::vector<Layer> kLayers = {
     {"app/context", {"app/io", "app/gl/load.h"}},
     {"app/pictures", {kPublic, "app/io", "app/view", "app/gl", "app/context"}},
     {"app/window", {kPublic, "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
-    {"app/pictures/module.cpp", {"app/io", "app/context", "app/pictures", "app/window"}},
+    {"app/graphics", {"app/context", "app/pictures", "app/window"}},
     {"app/cli",
      {kPublic, "app/io", "app/study", "app/report", "app/view", "app/mpi/interface.h",
-      "app/pictures/graphics.h"}},
+      "app/graphics/graphics.h", "app/pictures/look.h"}},
     {"bench", {kPublic, "engine", "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
 };
 
@@ -77,9 +77,6 @@ std::string place_of(std::string_view header) {
 }
 
 const Layer* layer_of(std::string_view file) {
-  for (const Layer& layer : kLayers) {
-    if (file == layer.folder) return &layer;
-  }
   for (const Layer& layer : kLayers) {
     if (file.starts_with(std::string(layer.folder) + "/")) return &layer;
   }
@@ -120,40 +117,95 @@ std::string include_problem(const Layer& layer, std::string_view header, bool qu
   return own ? own_header_problem(layer, header) : other_header_problem(layer, header);
 }
 
-}  // namespace
-
-std::vector<Violation> scan_text(const std::string& file, const std::string& text) {
+/// Calls `use(line number, header, quoted)` for each #include line.
+template <class Use>
+void for_each_include(const std::string& text, const Use& use) {
   static const std::regex include(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
-  const Layer* layer = layer_of(file);
-  if (layer == nullptr) return {{file, 1, "", "the folder has no row in the table of layers"}};
-
-  std::vector<Violation> found;
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     std::smatch match;
-    if (!std::regex_search(line, match, include)) continue;
-    const std::string header = match[2];
-    std::string reason = include_problem(*layer, header, match[1] == "\"");
-    if (!reason.empty()) found.push_back({file, number, header, std::move(reason)});
+    if (std::regex_search(line, match, include)) use(number, match[2].str(), match[1] == "\"");
   }
+}
+
+/// The header and source file of one name are one unit; public headers belong to the engine.
+std::string unit_of(const std::string& file) {
+  const std::string public_folder = std::string(kPublic) + "/";
+  const std::string unit = file.substr(0, file.rfind('.'));
+  return unit.starts_with(public_folder) ? "engine/" + unit.substr(public_folder.size()) : unit;
+}
+
+/// The folder of a file in app/, with all folders within it.
+std::string folder_of(const std::string& file) {
+  return file.substr(0, file.find('/', file.find('/') + 1));
+}
+
+}  // namespace
+
+std::vector<Violation> scan_text(const std::string& file, const std::string& text) {
+  const Layer* layer = layer_of(file);
+  if (layer == nullptr) return {{file, 1, "", "the folder has no row in the table of layers"}};
+
+  std::vector<Violation> found;
+  for_each_include(text, [&](int line, const std::string& header, bool quoted) {
+    std::string reason = include_problem(*layer, header, quoted);
+    if (!reason.empty()) found.push_back({file, line, header, std::move(reason)});
+  });
   return found;
 }
 
-std::vector<Violation> scan_tree(const std::filesystem::path& root, int& files) {
-  files = 0;
-  std::vector<Violation> found;
-  for (const char* top : {"engine", "app", "bench"}) {
+Graph include_graph(const Sources& sources, Node node) {
+  const auto node_of = node == Node::unit ? unit_of : folder_of;
+  Graph graph;
+  for (const auto& [file, text] : sources) {
+    auto& targets = graph[node_of(file)];
+    for_each_include(text, [&](int, const std::string& header, bool) {
+      const std::string place = place_of(header);
+      if (sources.count(place) > 0 && node_of(place) != node_of(file)) {
+        targets.insert(node_of(place));
+      }
+    });
+  }
+  return graph;
+}
+
+std::vector<std::string> find_cycle(const Graph& graph) {
+  std::set<std::string> finished;
+  std::vector<std::string> path;
+  const std::function<bool(const std::string&)> closes = [&](const std::string& node) {
+    const auto before = std::find(path.begin(), path.end(), node);
+    if (before != path.end()) {
+      path.erase(path.begin(), before);
+      path.push_back(node);
+      return true;
+    }
+    if (!finished.insert(node).second) return false;
+    path.push_back(node);
+    if (const auto entry = graph.find(node); entry != graph.end()) {
+      for (const std::string& next : entry->second) {
+        if (closes(next)) return true;
+      }
+    }
+    path.pop_back();
+    return false;
+  };
+  for (const auto& entry : graph) {
+    if (closes(entry.first)) return path;
+  }
+  return {};
+}
+
+Sources read_sources(const std::filesystem::path& root, const std::vector<std::string>& tops) {
+  Sources sources;
+  for (const std::string& top : tops) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".h" && extension != ".cpp") continue;
-      ++files;
-      const std::string name = entry.path().lexically_relative(root).generic_string();
-      const std::vector<Violation> in_file = scan_text(name, read_file(entry.path()));
-      found.insert(found.end(), in_file.begin(), in_file.end());
+      sources[entry.path().lexically_relative(root).generic_string()] = read_file(entry.path());
     }
   }
-  return found;
+  return sources;
 }
 
 }  // namespace pupflow::arrows

@@ -1,5 +1,6 @@
-# Installs the engine alone into a fresh folder and builds the documentation's example against it.
-# Takes BUILD, EXAMPLE, WORK, CONFIG, GENERATOR, FLAGS and COMPILER.
+# Installs the engine alone into a fresh folder, looks at what is there, compiles each header alone
+# and builds the documentation's example against it.
+# Takes SOURCE, BUILD, EXAMPLE, WORK, CONFIG, GENERATOR, FLAGS and COMPILER.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(result)
@@ -11,10 +12,44 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --component engine --config ${CONFIG} --prefix ${WORK}/prefix)
-run(${CMAKE_COMMAND} -S ${EXAMPLE} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${CONFIG}
-  -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER=${COMPILER}
-  -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
-run(${CMAKE_COMMAND} --build ${WORK}/build)
+
+# The public headers, one archive and the package's files; nothing else of the engine.
+file(GLOB headers RELATIVE ${SOURCE}/engine/include ${SOURCE}/engine/include/pupflow/*.h)
+file(GLOB_RECURSE installed RELATIVE ${WORK}/prefix ${WORK}/prefix/*)
+list(FILTER installed EXCLUDE REGEX "/cmake/pupflow/pupflow[A-Za-z-]*\\.cmake$")
+list(FILTER installed EXCLUDE REGEX "/libpupflow_engine\\.a$")
+list(TRANSFORM installed REPLACE "^include/" "")
+list(SORT headers)
+list(SORT installed)
+if(NOT headers STREQUAL installed)
+  message(FATAL_ERROR "the engine's headers are\n${headers}\nbut installed are\n${installed}")
+endif()
+
+function(build project)
+  run(${CMAKE_COMMAND} -S ${project} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${CONFIG}
+    -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_CXX_COMPILER=${COMPILER}
+    -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+  run(${CMAKE_COMMAND} --build ${WORK}/build)
+endfunction()
+
+# A file for each header, which includes nothing else.
+set(files "")
+foreach(header ${headers})
+  string(MAKE_C_IDENTIFIER ${header} name)
+  file(WRITE ${WORK}/headers/${name}.cpp "#include <${header}>\n#include <${header}>\n")
+  string(APPEND files " ${name}.cpp")
+endforeach()
+file(WRITE ${WORK}/headers/CMakeLists.txt "cmake_minimum_required(VERSION 3.21)
+project(headers LANGUAGES CXX)
+find_package(pupflow REQUIRED)
+add_library(headers OBJECT${files})
+target_compile_options(headers PRIVATE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+target_link_libraries(headers PRIVATE pupflow::engine)
+")
+build(${WORK}/headers)
+
+file(REMOVE_RECURSE ${WORK}/build)
+build(${EXAMPLE})
 run(${WORK}/build/warm_or_cold)
 if(NOT output MATCHES "T_a = 0.2: huddling 0")
   message(FATAL_ERROR "the example printed:\n${output}")

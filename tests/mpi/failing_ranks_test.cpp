@@ -120,7 +120,8 @@ TEST_F(FailingRanks, InterruptedTheyKeepFinishedRuns) {
     fs::remove_all(scratch_.path("s"));
     const Outcome outcome = disturbed(2, signal, std::nullopt);
     EXPECT_NE(outcome.code, 0);
-    EXPECT_THAT(outcome.err, HasSubstr("of 200 runs finished; the same command goes on"));
+    EXPECT_THAT(outcome.err,
+                HasSubstr("of 200 runs finished; the same command computes the others"));
     EXPECT_FALSE(exists("s/runs.csv"));
   }
   expect_resumed(2);

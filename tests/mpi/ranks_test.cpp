@@ -60,7 +60,7 @@ TEST_F(Ranks, RunsThatGoWrongEndWithTheSameCodeAndRows) {
   ASSERT_EQ(alone(sweep(1, "threads") + wild).code, 3);
   const Outcome outcome = run(mpirun(2, sweep(1, "ranks") + wild));
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("pupflow: 5 of 5 runs went wrong"));
+  EXPECT_THAT(outcome.err, HasSubstr("pupflow: 5 of 5 runs failed"));
   expect_same("threads", "ranks");
 }
 

@@ -149,6 +149,39 @@ TEST(Camera, OrbitTurnsAroundTheTargetAndStopsAtTheZenith) {
   EXPECT_NEAR(camera.elevation(), -90 * kDegrees, 1e-12);
 }
 
+TEST(Camera, IsWrittenAsTypedUntilItIsMoved) {
+  for (const char* spec : {"top", "side", "orbit:30,35", "orbit:030,35.0,9"}) {
+    EXPECT_EQ(Camera::parse(spec).spec(), spec);
+    EXPECT_FALSE(Camera::parse(spec).moved());
+  }
+  Camera camera = Camera::parse("orbit:10,20,8");
+  camera.zoom(2);
+  EXPECT_TRUE(camera.moved());
+  EXPECT_EQ(Camera::parse(camera.spec()).eye().isApprox(camera.eye(), 1e-9), true);
+  Camera flat = Camera::parse("top");
+  flat.pan(0.1, 0);
+  EXPECT_EQ(flat.spec(), "top");
+}
+
+TEST(Camera, FramingLeavesACameraThatWasMovedByHand) {
+  Camera camera = Camera::parse("orbit:30,35");
+  camera.frame(2, 0.6, 1);
+  camera.orbit(0.1, 0);
+  const double distance = camera.distance();
+  camera.frame(50, 1, 1);
+  EXPECT_EQ(camera.distance(), distance);
+}
+
+TEST(Camera, TurningTheViewFromTheTopGivesItPerspective) {
+  Camera camera = Camera::parse("top");
+  camera.frame(2, 0.6, 1);
+  camera.pan(0.25, 0);
+  const Vector seen = camera.target();
+  camera.orbit(0, 0);
+  EXPECT_EQ(camera.projection(), Camera::Projection::perspective);
+  EXPECT_LT(distance_between(camera.target(), Vector(seen.x(), seen.y(), 0)), 1e-12);
+}
+
 TEST(Camera, PanMovesTheSceneByThatShareOfThePicture) {
   for (const char* spec : {"top", "orbit:30,35,9"}) {
     Camera camera = Camera::parse(spec);

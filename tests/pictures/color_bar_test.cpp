@@ -2,11 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace pupflow::view {
 namespace {
 
-using ::testing::DoubleNear;
-using ::testing::Pointwise;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::Not;
 
 constexpr Rgb kWhite{255, 255, 255};
 constexpr Box kBar{60, 20, 30, 256};
@@ -15,7 +18,10 @@ io::Image bar_picture(const ColorScale& scale, double tp) {
   io::Image image(200, 300);
   fill(image, {0, 0, 200, 300}, kWhite);
   TextPainter text;
-  draw_color_bar(image, text, kBar, scale, tp, {});
+  const ColorBarStyle style;
+  draw_color_bar(image, text,
+                 lay_out_color_bar(kBar, color_bar_margins(scale, style), scale, tp, style),
+                 style.ink);
   return image;
 }
 
@@ -32,16 +38,6 @@ bool has_ink(const io::Image& image, const Box& box) {
     }
   }
   return false;
-}
-
-TEST(Ticks, AreRoundAndWithinTheScale) {
-  const auto near = [](const std::vector<double>& values) {
-    return Pointwise(DoubleNear(1e-12), values);
-  };
-  EXPECT_THAT(round_ticks(0, 1, 5), near({0, 0.2, 0.4, 0.6, 0.8, 1}));
-  EXPECT_THAT(round_ticks(0.25, 0.71, 5), near({0.3, 0.4, 0.5, 0.6, 0.7}));
-  EXPECT_THAT(round_ticks(-1, 2, 5), near({-1, 0, 1, 2}));
-  EXPECT_THAT(round_ticks(0, 2500, 5), near({0, 500, 1000, 1500, 2000, 2500}));
 }
 
 TEST(Ticks, LabelsAreShort) {
@@ -72,11 +68,104 @@ TEST(ColorBar, MarksThePreferredTemperatureOnlyOnTheScale) {
 TEST(ColorBar, StaysWithinItsMargins) {
   const ColorScale scale("viridis", 0, 1);
   const io::Image image = bar_picture(scale, 0.6);
-  const ColorBarMargins margins = color_bar_margins({});
+  const ColorBarMargins margins = color_bar_margins(scale, {});
   EXPECT_FALSE(has_ink(image, {0, 0, kBar.x - margins.left, 300}));
   const int end = kBar.x + kBar.width + margins.right;
   EXPECT_TRUE(has_ink(image, {end - 24, 0, 24, 300}));  // the title
   EXPECT_FALSE(has_ink(image, {end, 0, 200 - end, 300}));
+}
+
+ColorBar layout_of(const ColorScale& scale) {
+  return lay_out_color_bar(kBar, color_bar_margins(scale, {}), scale, 0.6, {});
+}
+
+ColorBar layout_of(const char* field, const std::vector<double>& values) {
+  return layout_of(ColorScale(*find_field(field)).fitted(values));
+}
+
+std::string plain(const TextLine& line) {
+  std::string text;
+  for (const TextRun& run : line) text += run.text;
+  return text;
+}
+
+std::vector<std::string> labels_of(const ColorBar& layout) {
+  std::vector<std::string> labels;
+  for (const ColorBar::Label& label : layout.labels) labels.push_back(plain(label.text));
+  return labels;
+}
+
+TEST(ColorBarLayout, OfATemperatureMarksThePreferredOne) {
+  const ColorBar layout = layout_of(ColorScale());
+  EXPECT_EQ(layout.fills.size(), static_cast<std::size_t>(kBar.height));
+  EXPECT_THAT(labels_of(layout),
+              ElementsAre("0", "0.2", "0.4", "0.6", "0.8", "1", "Tp", "body temperature Tb"));
+  EXPECT_TRUE(layout.labels.back().upwards);
+  ASSERT_TRUE(layout.arrow);
+  EXPECT_NEAR(layout.arrow->tip_y, kBar.y + 0.4 * kBar.height, 1);
+}
+
+TEST(ColorBarLayout, OfAnotherFieldMarksNoTemperature) {
+  const ColorBar layout = layout_of("exposed", {0.3});
+  EXPECT_FALSE(layout.arrow);
+  EXPECT_EQ(labels_of(layout).back(), "exposed share A");
+}
+
+TEST(ColorBarLayout, OfASignedFieldHasALineAtItsCentre) {
+  const ColorBar layout = layout_of("turn", {0.1});
+  const double middle = kBar.y + kBar.height / 2.0;
+  bool found = false;
+  for (const ColorBar::Stroke& stroke : layout.strokes) {
+    found = found || (stroke.x0 == kBar.x && std::abs(stroke.y0 - middle) <= 1);
+  }
+  EXPECT_TRUE(found);
+  EXPECT_EQ(labels_of(layout).back(), "turn Δθ (rad/s)");
+}
+
+TEST(ColorBarLayout, OfAnAngleNamesPartsOfPi) {
+  EXPECT_THAT(labels_of(layout_of("heading", {1})),
+              ElementsAre("\u2212π", "\u2212π/2", "0", "π/2", "π", "direction of travel θ (rad)"));
+}
+
+TEST(ColorBarLayout, OfCategoriesHasASwatchForEach) {
+  const ColorBar side = layout_of("side", {0, 1});
+  EXPECT_THAT(labels_of(side), ElementsAre("right", "left", "side"));
+  ASSERT_EQ(side.fills.size(), 2u);
+  EXPECT_EQ(side.fills[0].color, category_colors()[0]);
+  EXPECT_LT(side.fills[0].box.y, side.fills[1].box.y);
+  const ColorBar touched = layout_of("touched", {-1, 2});
+  EXPECT_THAT(labels_of(touched), ElementsAre("nobody", "0", "1", "2", "touched pup"));
+  EXPECT_EQ(touched.fills[0].color, kNobodyColor);
+}
+
+TEST(ColorBarLayout, SwatchesOfManyCategoriesStayWithinTheBar) {
+  const ColorBar layout = layout_of("group", {0, 499});
+  EXPECT_EQ(layout.fills.size(), static_cast<std::size_t>(kCategoryColors));
+  for (const ColorBar::Fill& fill : layout.fills) {
+    EXPECT_LE(fill.box.y + fill.box.height, kBar.y + kBar.height);
+  }
+  EXPECT_EQ(labels_of(layout).front(), "0, 12, \u2026");
+}
+
+TEST(ColorBarLayout, NamesTheColorOfUnknownValues) {
+  const double nan = std::nan("");
+  for (const char* field : {"group", "strain", "heading", "turn"}) {
+    EXPECT_THAT(labels_of(layout_of(field, {0.5, nan})), Contains("unknown")) << field;
+    EXPECT_THAT(labels_of(layout_of(field, {0.5})), Not(Contains("unknown"))) << field;
+  }
+}
+
+TEST(ColorBarLayout, TitleStandsWithinTheMarginsWhateverTheData) {
+  for (const auto table : {pup_fields(), afferent_fields()}) {
+    for (const LitterField& field : table) {
+      const ColorScale scale(field);
+      const int right = color_bar_margins(scale, {}).right;
+      const ColorBar layout =
+          lay_out_color_bar(kBar, color_bar_margins(scale, {}),
+                            scale.fitted(std::vector<double>{0, 12345.678}), 0.6, {});
+      EXPECT_LT(layout.labels.back().x, kBar.x + kBar.width + right) << field.name;
+    }
+  }
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <limits>
 
 #include "app/io/failure.h"
 
@@ -18,7 +17,7 @@ struct Entry {
   Rgb color;
 };
 
-// As published: the ends, quarters and middle that plotting programs print as hexadecimal colours.
+// As published: the ends, quarters and middle that plotting programs print as hexadecimal colors.
 TEST(Colormap, KnownEntries) {
   const Entry entries[] = {
       {"viridis", 0, {0x44, 0x01, 0x54}},   {"viridis", 64, {0x3b, 0x52, 0x8b}},
@@ -58,7 +57,8 @@ TEST(Colormap, PerceptualMapsGetLighterAllTheWay) {
 }
 
 TEST(Colormap, EveryNameIsFound) {
-  EXPECT_THAT(colormap_names(), ::testing::ElementsAre("viridis", "inferno", "cividis", "jet"));
+  EXPECT_THAT(colormap_names(),
+              ::testing::ElementsAre("viridis", "inferno", "cividis", "jet", "bluered", "phase"));
   for (const auto name : colormap_names()) EXPECT_NO_THROW(find_colormap(name)) << name;
 }
 
@@ -71,31 +71,39 @@ TEST(Colormap, UnknownNameIsBadInput) {
     EXPECT_THAT(failure.what(), HasSubstr("rainbow"));
     EXPECT_THAT(failure.what(), HasSubstr("viridis"));
   }
+  try {
+    find_colormap("virdis");
+    FAIL();
+  } catch (const io::Failure& failure) {
+    EXPECT_THAT(failure.what(), HasSubstr("did you mean 'viridis'?"));
+  }
 }
 
-TEST(ColorScale, SpreadsTheMapOverTheScale) {
-  const ColorScale scale("inferno", -1, 3);
-  EXPECT_EQ(scale(-1), scale.map[0]);
-  EXPECT_EQ(scale(1), scale.map[128]);
-  EXPECT_EQ(scale(2.9999), scale.map[255]);
-  EXPECT_EQ(scale(3), scale.map[255]);
+TEST(Colormap, BlueredIsLightestInTheMiddleAndDarkensToBothSides) {
+  const Colormap map = find_colormap("bluered");
+  EXPECT_EQ(map.front(), (Rgb{5, 48, 97}));
+  EXPECT_EQ(map.back(), (Rgb{103, 0, 31}));
+  for (std::size_t i = 1; i < 128; ++i) {
+    EXPECT_GE(lightness(map[i]), lightness(map[i - 1]) - 0.35) << i;
+    EXPECT_GE(lightness(map[255 - i]), lightness(map[256 - i]) - 0.35) << i;
+  }
 }
 
-TEST(ColorScale, OutsideTakesTheNearerEnd) {
-  const ColorScale scale("viridis", 0, 1);
-  const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(scale(-5), scale.map.front());
-  EXPECT_EQ(scale(-infinity), scale.map.front());
-  EXPECT_EQ(scale(7), scale.map.back());
-  EXPECT_EQ(scale(infinity), scale.map.back());
-  EXPECT_EQ(scale(std::nan("")), scale.map.front());
+TEST(Colormap, PhaseClosesAndIsEquallyLight) {
+  const Colormap map = find_colormap("phase");
+  const auto distance = [](Rgb a, Rgb b) {
+    return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+  };
+  EXPECT_LE(distance(map.front(), map.back()), 8);
+  EXPECT_GT(distance(map[0], map[128]), 100);
+  for (const Rgb color : map) EXPECT_NEAR(lightness(color), lightness(map[0]), 8);
 }
 
-TEST(ColorScale, NeedsAnInterval) {
-  EXPECT_THROW(ColorScale("viridis", 1, 1), io::Failure);
-  EXPECT_THROW(ColorScale("viridis", 1, 0), io::Failure);
-  EXPECT_THROW(ColorScale("viridis", 0, std::nan("")), io::Failure);
-  EXPECT_THROW(ColorScale("viridis", 0, std::numeric_limits<double>::infinity()), io::Failure);
+TEST(Colormap, CategoriesDiffer) {
+  for (std::size_t i = 0; i < kCategoryColors; ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(category_colors()[i], category_colors()[j]);
+    EXPECT_EQ(category_colors()[i], category_colors()[i + kCategoryColors]);
+  }
 }
 
 }  // namespace

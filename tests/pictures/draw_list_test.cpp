@@ -1,11 +1,12 @@
 #include "app/view/draw_list.h"
-#include "pupflow/simulation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "pupflow/simulation.h"
 
 namespace pupflow::view {
 namespace {
@@ -33,6 +34,53 @@ TEST(DrawList, HoldsEveryPointInItsPupsColor) {
   }
   EXPECT_EQ(list.sphere_radius(), 0.05f);
   EXPECT_EQ(list.arena_radius(), 2.0f);
+}
+
+/// A huddle that records what `field` needs.
+Simulation huddle(const LitterField& field) {
+  Params params;
+  params.pups = 4;
+  params.arena_radius = 0.9;
+  Simulation simulation(params);
+  simulation.set_observed(field.parts);
+  simulation.run(30);
+  return simulation;
+}
+
+TEST(DrawList, GivesEachPupOrPointTheColorOfItsValue) {
+  for (const char* name : {"deformation", "turn", "heading", "group",  // of pups
+                           "temperature", "strain", "normal_z", "touched", "side"}) {
+    const LitterField& field = *find_field(name);
+    const Simulation simulation = huddle(field);
+    const std::vector<double> values = field.values(simulation);
+    DrawList list;
+    list.update(simulation, ColorScale(field), Camera::parse("top"), Culling::none);
+    const ColorScale& scale = list.scale();
+    EXPECT_TRUE(scale.is_fitted()) << name;
+    EXPECT_FALSE(scale.unknown) << name;
+    ASSERT_EQ(list.spheres().size(), 4u * 294u);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < list.spheres().size(); ++i) {
+      const Sphere& sphere = list.spheres()[i];
+      const Rgb expected = scale(values[field.of_afferents ? i : i / 294]);
+      wrong += (Rgb{sphere.r, sphere.g, sphere.b}) != expected;
+    }
+    EXPECT_EQ(wrong, 0u) << name;
+  }
+}
+
+TEST(DrawList, GivesValuesThatWereNotRecordedGray) {
+  const LitterField& field = *find_field("strain");
+  Params params;
+  params.pups = 1;
+  Simulation simulation(params);
+  simulation.set_observed({});
+  simulation.step();
+  DrawList list;
+  list.update(simulation, ColorScale(field), Camera::parse("top"));
+  EXPECT_TRUE(list.scale().unknown);
+  const Sphere& sphere = list.spheres().front();
+  EXPECT_EQ((Rgb{sphere.r, sphere.g, sphere.b}), kUnknownColor);
 }
 
 TEST(DrawList, LeavesOutOnlyPointsThatFaceAway) {

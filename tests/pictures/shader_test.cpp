@@ -45,7 +45,7 @@ class ShaderTest : public GlTest {
 
 TEST_F(ShaderTest, AreReadFromAFolderInstead) {
   std::string text(embedded_shader("plane.frag"));
-  const std::string output = "fragment = vec4(colour, cover);";
+  const std::string output = "fragment = vec4(color, cover);";
   ASSERT_NE(text.find(output), std::string::npos);
   text.replace(text.find(output), output.size(), "fragment = vec4(0.0, 1.0, 0.0, cover);");
   write("plane.frag", text);

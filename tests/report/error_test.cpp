@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/error_scenes.h"
-#include "app/report/rotations.h"
+#include "app/report/error/rotations.h"
+#include "app/report/error/sampling.h"
+#include "app/report/error/scenes/scenes.h"
+#include "app/report/error/settings.h"
 #include "engine/rotation.h"
 #include "pupflow/simulation.h"
 
 namespace pupflow::report {
 namespace {
 
-SceneResult quick(const Scene& scene) {
+SceneResult quick(const ErrorScene& scene) {
   Options options;
   options.quick = true;
   options.quiet = true;
@@ -109,7 +111,7 @@ TEST(ErrorReport, WhatASceneDoesBetweenStepsIsNotTimed) {
   Simulation simulation(params);
   double between = 0;
   const Outcome outcome = run_sampled(
-      simulation, 3, 1, [](const Simulation&, Trajectory& to) { to[0].push_back(0); },
+      simulation, 3, 1, [](const LitterView&, Trajectory& to) { to[0].push_back(0); },
       [&](Simulation&) {
         const double begin = thread_seconds();
         while (thread_seconds() - begin < 2e-3) {

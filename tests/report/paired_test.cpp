@@ -1,5 +1,5 @@
 // Runs held against each other seed by seed.
-#include "app/report/paired.h"
+#include "app/report/error/paired.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -155,7 +155,7 @@ TEST(Paired, RunsWithAWarningAreCountedAndKept) {
   EXPECT_TRUE(std::isfinite(paired.rows[0].means[0].mean));
 }
 
-TEST(Paired, RunsThatGoBadAreCountedAndLeftOut) {
+TEST(Paired, RunsThatFailAreCountedAndNotInTheMeans) {
   Params hot = small();
   hot.ambient_temperature = 0.7;
   hot.air_conductance = 300;  // with Euler heat beyond 2/h
@@ -163,7 +163,7 @@ TEST(Paired, RunsThatGoBadAreCountedAndLeftOut) {
   EXPECT_EQ(paired.rows[0].bad, 0);
   EXPECT_EQ(row(paired, "euler").bad, 3);
   EXPECT_THAT(row(paired, "euler").trouble(3),
-              AllOf(HasSubstr("3 of 3 runs went bad"), HasSubstr("diverged at step")));
+              AllOf(HasSubstr("3 of 3 runs failed"), HasSubstr("diverged at step")));
   EXPECT_TRUE(std::isnan(row(paired, "euler").means[0].mean));
 }
 

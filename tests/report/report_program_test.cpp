@@ -44,9 +44,10 @@ TEST(ReportProgram, WritesAPageWithItsFiguresAndNumbers) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "report in r/report.md\n");
   const std::string page = contents(scratch.path("r/report.md"));
-  EXPECT_THAT(page, AllOf(HasSubstr("`pupflow report error --quick`"), HasSubstr("processor"),
-                          HasSubstr("compiler"), HasSubstr("**default**"),
-                          HasSubstr("What this means"), HasSubstr("What a scene does not need")));
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("`pupflow report error --quick`"), HasSubstr("processor"),
+                    HasSubstr("compiler"), HasSubstr("**default**"), HasSubstr("What this means"),
+                    HasSubstr("Parts of a step that a scene leaves out")));
   for (const char* heading :
        {"## 1. ", "## 2. ", "## 3. ", "## 4. ", "## 5. ", "## 6. ", "## 7. ", "## 8. "}) {
     EXPECT_THAT(page, HasSubstr(heading));

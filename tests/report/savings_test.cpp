@@ -1,5 +1,5 @@
 // What leaving out saves: left-out parts cost nothing, and forced in they change no bit.
-#include "app/report/savings.h"
+#include "app/report/savings/savings.h"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include "app/io/failure.h"
 #include "app/io/scene_file.h"
 #include "app/report/report.h"
-#include "app/report/stage_timer.h"
+#include "app/report/savings/stage_timer.h"
 #include "pupflow/simulation.h"
 #include "tests/support/scratch.h"
 
@@ -41,17 +41,21 @@ void PrintTo(const Case& c, std::ostream* out) {
 }
 
 const std::vector<Case> kCases{
-    {"paper", [] { return shipped("paper"); }, {"touching pairs", "observables"}},
+    {"paper",
+     [] { return shipped("paper"); },
+     {"touching pairs", "felt sides", "strain", "observables"}},
     {"single",
      [] { return shipped("single"); },
-     {"contact", "steering", "mean T_c", "observables"}},
+     {"contact", "steering", "mean T_c", "strain", "observables"}},
     {"rigid",
      [] { return shipped("rigid"); },
-     {"touching pairs", "quadratic terms", "observables"}},
-    {"no_heat", [] { return shipped("no_heat"); }, {"touching pairs", "heat", "observables"}},
+     {"touching pairs", "felt sides", "quadratic terms", "strain", "observables"}},
+    {"no_heat",
+     [] { return shipped("no_heat"); },
+     {"touching pairs", "felt sides", "heat", "strain", "observables"}},
     {"no_steering",
      [] { return shipped("no_steering"); },
-     {"touching pairs", "steering", "observables"}},
+     {"touching pairs", "steering", "strain", "observables"}},
     {"quiet",
      [] {
        Params p;
@@ -61,7 +65,8 @@ const std::vector<Case> kCases{
        p.precision = Precision::float_;
        return p;
      },
-     {"exposed share", "touched pups", "touching pairs", "steering", "heat", "observables"}},
+     {"exposed share", "touched pups", "touching pairs", "steering", "heat", "strain",
+      "observables"}},
     {"no_gain_by_the_body",
      [] {
        Params p;
@@ -69,14 +74,14 @@ const std::vector<Case> kCases{
        p.steering_gain = 0;
        return p;
      },
-     {"touching pairs", "turn", "observables"}},
+     {"touching pairs", "turn", "felt sides", "strain", "observables"}},
     {"no_heat_between_pups",
      [] {
        Params p;
        p.contact_conductance = 0;
        return p;
      },
-     {"touching pairs", "mean T_c", "observables"}},
+     {"touching pairs", "felt sides", "mean T_c", "strain", "observables"}},
     {"free",
      [] {
        Params p;
@@ -84,14 +89,14 @@ const std::vector<Case> kCases{
        p.face_points = 3;
        return p;
      },
-     {"touching pairs", "rotation", "observables"}},
+     {"touching pairs", "felt sides", "rotation", "strain", "observables"}},
     {"no_goals",
      [] {
        Params p;
        p.rigidity = 0;
        return p;
      },
-     {"touching pairs", "shape_match", "observables"}},
+     {"touching pairs", "felt sides", "shape_match", "observables"}},
     {"nobody",
      [] {
        Params p;
@@ -114,7 +119,7 @@ TEST_P(SavingsOf, LeftOutPartsCostNothingAndChangeNoBit) {
                                                            : Agreement::whole_state;
   };
   std::vector<std::string> left_out;
-  for (const Part& part : savings.parts) {
+  for (const PartCost& part : savings.parts) {
     SCOPED_TRACE(part.name);
     if (part.needed) {
       EXPECT_EQ(part.agreement, Agreement::needed);
@@ -179,7 +184,7 @@ TEST(Savings, ATableOfThem) {
               ElementsAre(HasSubstr("steps 11 to 20"),
                           "Left out: steering (drive = 0); quadratic terms (beta = 0).",
                           HasSubstr("the hash of the whole state is 0000000000000abc"),
-                          HasSubstr("0000000000000def either way")));
+                          HasSubstr("0000000000000def in both cases")));
 }
 
 TEST(Savings, AChangedBitIsADefect) {
@@ -192,7 +197,8 @@ TEST(Savings, AChangedBitIsADefect) {
     FAIL();
   } catch (const io::Failure& failure) {
     EXPECT_EQ(failure.code(), io::ExitCode::bad_numbers);
-    EXPECT_THAT(failure.what(), HasSubstr("by step 20 quadratic terms forced in"));
+    EXPECT_THAT(failure.what(),
+                HasSubstr("quadratic terms forced in has changed the state after step 20"));
   }
 }
 

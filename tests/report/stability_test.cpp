@@ -6,12 +6,12 @@
 #include <set>
 
 #include "app/report/share_out.h"
-#include "app/report/stability_cells.h"
-#include "app/report/stability_class.h"
-#include "app/report/stability_heat.h"
-#include "app/report/stability_maps.h"
-#include "app/report/stability_measure.h"
-#include "app/report/stability_scenes.h"
+#include "app/report/stability/cells.h"
+#include "app/report/stability/class.h"
+#include "app/report/stability/extreme/scenes.h"
+#include "app/report/stability/heat.h"
+#include "app/report/stability/maps.h"
+#include "app/report/stability/measure.h"
 #include "pupflow/simulation.h"
 #include "tests/support/litter.h"
 
@@ -227,8 +227,8 @@ TEST(StabilityMaps, HaveTheDefaultAmongTheirCellsAndTheirCellsAreSoundOrRefused)
     for (const StabilityMap& map : stability_maps(quick)) {
       names.insert(map.name);
       ASSERT_EQ(map.methods.size(), 2u);
-      EXPECT_EQ(map.seeds, map.judge == try_litter ? 3 : 1) << map.name;
-      EXPECT_TRUE(map.judge != try_litter || map.base.pups == 12) << map.name;
+      EXPECT_EQ(map.seeds, map.classify == try_litter ? 3 : 1) << map.name;
+      EXPECT_TRUE(map.classify != try_litter || map.base.pups == 12) << map.name;
       for (const MapAxis* axis : {&map.x, &map.y}) {
         EXPECT_TRUE(std::is_sorted(axis->values.begin(), axis->values.end())) << axis->name;
       }

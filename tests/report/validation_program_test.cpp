@@ -34,9 +34,9 @@ TEST(ValidationProgram, WritesAPageWithEveryTableItsFiguresAndNumbers) {
   EXPECT_EQ(outcome.out, "report in r/report.md\n");
   const std::string page = contents(scratch.path("r/report.md"));
   for (const char* heading :
-       {"## The three contact readings", "## The paper's window", "## Where pups are",
+       {"## The three contact readings", "## The paper's window", "## Positions in long runs",
         "## Pup flow over several lags", "## Interpenetration", "## Another unit of length",
-        "## Where the heat goes", "## Pup numbers and mirrors", "## The three readings with"}) {
+        "## Heat balance", "## Pup numbers and mirrors", "## The three readings with"}) {
     EXPECT_THAT(page, HasSubstr(heading));
   }
   for (const std::string file : kFiles) {

@@ -61,7 +61,7 @@ TEST_F(Compared, DifferencesAreInCombinedStandardErrors) {
   EXPECT_THAT(
       text,
       HasSubstr("2 of 5 points beyond 3, rms 2.61, mean_tb within 10.0000 and 4.5 standard errors\n"
-                "membership_flow was left out: it is not in both files\n"));
+                "membership_flow was not compared: it is not in both files\n"));
 }
 
 TEST_F(Compared, PointsWithoutSpreadAreCountedApart) {
@@ -71,7 +71,7 @@ TEST_F(Compared, PointsWithoutSpreadAreCountedApart) {
   EXPECT_EQ(comparison.unknown, 5);
   EXPECT_EQ(comparison.rms, 0);
   EXPECT_THAT(comparison_text(comparison),
-              HasSubstr("0 of 5 points beyond 3, 5 left out for want of runs"));
+              HasSubstr("0 of 5 points beyond 3, 5 unknown: fewer than two runs"));
 }
 
 TEST_F(Compared, FilesThatDoNotFitTogetherAreRefused) {
@@ -83,7 +83,7 @@ TEST_F(Compared, FilesThatDoNotFitTogetherAreRefused) {
   EXPECT_THAT(refused("beta," + kNames + "0,0" + row, good), HasSubstr("same parameters"));
   EXPECT_THAT(refused(good, "ta,seed,status\n0,1,fine\n"), HasSubstr("no column runs"));
   EXPECT_THAT(refused(good, ""), HasSubstr("no column runs"));
-  EXPECT_THAT(refused(good, kNames + "0,2,1\n"), HasSubstr("as many cells"));
+  EXPECT_THAT(refused(good, kNames + "0,2,1\n"), HasSubstr("another number of cells"));
   EXPECT_THAT(refused(good, kNames + "0,2,x,1,1,1,1,1,1,1,1,1\n"), HasSubstr("'x'"));
   EXPECT_THAT(refused(good, "ta,runs,mean_tb\n0,2,1\n"), HasSubstr("no observable"));
   EXPECT_THAT(

@@ -84,7 +84,7 @@ TEST_F(Disturbed, CtrlCKeepsFinishedRunsAndEndsWith130) {
   EXPECT_EQ(outcome.code, 130);
   const std::string kept = std::to_string(lines_of(path("s/journal.csv")));
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("interrupted with " + kept + " of 400 runs finished"),
-                                 HasSubstr("the same command goes on")));
+                                 HasSubstr("the same command computes the others")));
   expect_to_end_as_if_undisturbed(kept + " runs were there already");
 }
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <map>
 #include <stdexcept>
+#include <vector>
 
 #include "pupflow/simulation.h"
 #include "tests/study/small_design.h"
@@ -27,6 +28,34 @@ std::map<std::int64_t, RunResult> results_with(int threads) {
   };
   run_ensemble(20, threads, litter, deliver, kNever);
   return results;
+}
+
+TEST(ForEachIndex, TakesEachIndexOnceOnAnyNumberOfThreads) {
+  for (const int threads : {0, 1, 3, 64}) {
+    std::vector<std::atomic<int>> calls(40);
+    for_each_index(40, threads, [&](std::int64_t i) { ++calls[static_cast<std::size_t>(i)]; });
+    for (const std::atomic<int>& count : calls) EXPECT_EQ(count, 1) << threads << " threads";
+    for_each_index(0, threads, [](std::int64_t) { ADD_FAILURE() << "there is no index"; });
+  }
+}
+
+TEST(ForEachIndex, PassesOnAnExceptionAndBeginsNoFurtherIndex) {
+  for (const int threads : {1, 3}) {
+    std::atomic<int> calls = 0;
+    const auto body = [&](std::int64_t i) {
+      ++calls;
+      if (i == 2) throw std::runtime_error("index 2");
+    };
+    try {
+      for_each_index(100, threads, body);
+      FAIL();
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "index 2");
+    }
+    if (threads == 1) {
+      EXPECT_EQ(calls, 3);
+    }
+  }
 }
 
 TEST(Ensemble, ComesToTheSameNumbersOnAnyNumberOfThreads) {

@@ -84,8 +84,7 @@ TEST_F(Merge, CarriesOnThatRunsWentWrong) {
              "300", "--set", "discard=20", "--vary", "k1=0.9,500", "--seeds", "2", "--out", "s" + i,
              "--shard", i + "/2"});
   }
-  EXPECT_THAT(expect(3, {"merge", "s1", "s2", "--out", "merged"}),
-              HasSubstr("2 of 4 runs went wrong"));
+  EXPECT_THAT(expect(3, {"merge", "s1", "s2", "--out", "merged"}), HasSubstr("2 of 4 runs failed"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "app/io/png.h"
+#include "pupflow/observer.h"
 #include "tests/study/sweep_program.h"
 
 namespace pupflow::study::test {
@@ -113,10 +114,11 @@ TEST_F(Picture, IsDrawnByTheScriptThatTheUserEdited) {
   const Words words = sweep({"--vary", "ta=0,1"});
   expect(0, words);
   const std::string script = contents(path("s/sweep.gp")), before = contents(path("s/sweep.svg"));
-  const std::size_t at = script.find("huddling 1 - A");
+  const std::string label(run_statistics()[statistic_of(Observable::huddling)].label);
+  const std::size_t at = script.find(label);
   ASSERT_NE(at, std::string::npos);
   std::string edited = script;
-  edited.replace(at, 14, "edited by hand");
+  edited.replace(at, label.size(), "edited by hand");
   scratch_.file("s/sweep.gp", edited);
   expect(0, words);
   EXPECT_EQ(contents(path("s/sweep.gp")), edited);

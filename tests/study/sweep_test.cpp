@@ -132,7 +132,7 @@ TEST_F(Sweep, RecordsRunsThatGoWrongAndEndsWithThree) {
                     "discard=20", "--vary",     "k1=0.9,500", "--seeds", "2",
                     "--out",      "s"};
   const std::string said = expect(3, words);
-  EXPECT_THAT(said, AllOf(HasSubstr("2 of 4 runs went wrong"), HasSubstr("run 2 (seed "),
+  EXPECT_THAT(said, AllOf(HasSubstr("2 of 4 runs failed"), HasSubstr("run 2 (seed "),
                           HasSubstr("diverged at step"), HasSubstr("stage heat")));
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
   const auto rows = rows_of(path("s/runs.csv"));
@@ -153,9 +153,8 @@ TEST_F(Sweep, KeepsRunsWithAWarningAndSaysSo) {
   const Outcome outcome = pupflow(
       small("sweep", {"--vary", "drive=1,60", "--seeds", "2", "--steps", "200", "--out", "wall"}));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out,
-              HasSubstr("warning: 2 of 4 runs came to an impossible state and are part "
-                        "of the means; the first, run 2 (seed "));
+  EXPECT_THAT(outcome.out, HasSubstr("warning: 2 of 4 runs ended with a warning and are in "
+                                     "the means; the first, run 2 (seed "));
   const auto runs = rows_of(path("wall/runs.csv")), points = rows_of(path("wall/summary.csv"));
   EXPECT_EQ(runs[0][2], "fine");
   EXPECT_THAT(runs[2][2], StartsWith("fine; outside the wall from step "));

@@ -59,7 +59,7 @@ TEST(TransitionFinder, ClaimsNothingThatIsNotSo) {
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->steepest);
   EXPECT_EQ(transition_text(design, *found),
-            "1 - A falls nowhere\n"
+            "1 - A does not fall\n"
             "the standard deviation of A is highest, 0, at T_a 0.000\n"
             "pup flow (lag 10) is highest, 2 /s, at T_a 0.500\n"
             "mean T_b is within 0.03 of T_p at no T_a of this sweep\n");

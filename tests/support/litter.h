@@ -1,38 +1,22 @@
-// Helpers for tests that set up and look at litters.
+// Helpers for tests that set up and look at litters: those of engine/bodies.h under the names that
+// the tests use.
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
-#include "pupflow/simulation.h"
+#include "engine/bodies.h"
 
 namespace pupflow::testing {
 
-using Points = std::vector<Eigen::Vector3d>;
-
-inline Points to_points(const std::vector<double>& xyz) {
-  Points points;
-  for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
-    points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
-  return points;
-}
-
-inline std::vector<double> to_numbers(const Points& points) {
-  std::vector<double> xyz;
-  for (const Eigen::Vector3d& p : points) xyz.insert(xyz.end(), {p.x(), p.y(), p.z()});
-  return xyz;
-}
+using pupflow::place;
+using pupflow::Points;
+using pupflow::to_numbers;
+using pupflow::to_points;
 
 inline Points all_positions(const Simulation& s) {
-  std::vector<double> xyz(3 * static_cast<std::size_t>(s.pups()) * s.points());
-  s.view().positions.copy_to(xyz);
-  return to_points(xyz);
+  return of_all(s.view().positions);
 }
 
 inline Points all_velocities(const Simulation& s) {
-  std::vector<double> xyz(3 * static_cast<std::size_t>(s.pups()) * s.points());
-  s.view().velocities.copy_to(xyz);
-  return to_points(xyz);
+  return of_all(s.view().velocities);
 }
 
 inline Points of_pup(const Simulation& s, int pup, const Points& all) {
@@ -40,18 +24,8 @@ inline Points of_pup(const Simulation& s, int pup, const Points& all) {
                 all.begin() + static_cast<std::ptrdiff_t>(pup + 1) * s.points());
 }
 
-inline void place(Simulation& s, int pup, const Points& positions, const Points& velocities) {
-  s.set_cloud(pup, to_numbers(positions), to_numbers(velocities));
-}
-
-/// One pup, far from floor and wall, that nothing pushes.
 inline Params weightless() {
-  Params p;
-  p.pups = 1;
-  p.gravity = 0;
-  p.drive = 0;
-  p.arena_radius = 1000;
-  return p;
+  return weightless_pup();
 }
 
 }  // namespace pupflow::testing

@@ -42,5 +42,19 @@ TEST(Controls, SpeedStaysInItsRange) {
   EXPECT_EQ(std::get<Speed>(controls.commands.back()).factor, Controls::kSlowest);
 }
 
+TEST(Controls, AnotherFieldHasTheScaleOfItsKind) {
+  Controls controls;
+  controls.look.scale.set_map("inferno");
+  controls.look.scale.set_range(0.2, 0.4);
+  controls.color_by(*find_field("turn"));
+  EXPECT_EQ(controls.look.scale.field->name, "turn");
+  EXPECT_EQ(controls.look.scale.map_name, "bluered");
+  EXPECT_LT(controls.look.scale.min, 0);
+  ASSERT_EQ(controls.commands.size(), 1u);
+  const auto* command = std::get_if<ColorBy>(&controls.commands.front());
+  ASSERT_NE(command, nullptr);
+  EXPECT_EQ(command->field->name, "turn");
+}
+
 }  // namespace
 }  // namespace pupflow::window

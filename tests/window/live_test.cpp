@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/io/params_of_file.h"
 #include "app/io/png.h"
 #include "app/io/provenance.h"
 #include "pupflow/simulation.h"
@@ -190,6 +191,21 @@ TEST_F(Live, ThePictureIsTheOneThatRenderMakes) {
     different += std::abs(live.rgba[i] - render.rgba[i]) > 2 ? 1 : 0;
   }
   EXPECT_LT(different, live.rgba.size() / 1000);
+}
+
+TEST_F(Live, TheFieldInColorsIsTheOneOfTheCommandLineAndThenTheChosenOne) {
+  open({"--paused", "--color-by", "heading", "--out", "shot-%d.png"});
+  const auto shown_field = [&] {
+    screen_.press("s");
+    for (const auto& [key, value] : io::read_png_text(scratch_.path(await("screenshot ")))) {
+      if (key == "color_by") return value;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(shown_field(), "heading");
+  click("color_by");
+  click("color_by-strain");
+  EXPECT_EQ(shown_field(), "strain");
 }
 
 TEST_F(Live, TheSameHashAsHeadless) {

@@ -167,6 +167,21 @@ TEST(Session, MeasuresOnlyWhenSomebodyLooks) {
   EXPECT_FALSE(look_at(session).observables);
 }
 
+TEST(Session, RecordsWhatTheFieldInColorsNeeds) {
+  Session session(small_litter(), true);
+  for (const char* name : {"tb", "group", "strain", "side", "speed"}) {
+    const LitterField& field = *find_field(name);
+    session.apply(ColorBy{&field});
+    session.step();
+    EXPECT_TRUE(is_known(field, look_at(session).view())) << name;
+  }
+  const LiveState seen = look_at(session);
+  EXPECT_FALSE(is_known(*find_field("strain"), seen.view())) << "only what is shown is recorded";
+  Simulation simulation(small_litter());
+  simulation.run(5);
+  EXPECT_EQ(seen.hash, simulation.hash());
+}
+
 TEST(Session, LookingChangesNothing) {
   Session seen(small_litter(), true), unseen(small_litter(), true);
   seen.apply(Observe{true});

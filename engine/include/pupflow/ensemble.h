@@ -24,6 +24,11 @@ struct RunResult {
 /// true, the run ends without a result. Throws InvalidParams.
 std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop);
 
+/// Calls `body` with each of 0 ... count - 1 once, on `threads` threads (at least 1), in no fixed
+/// order. After an exception in `body` no further index is begun; the first exception is thrown
+/// here when all threads have ended.
+void for_each_index(std::int64_t count, int threads, const std::function<void(std::int64_t)>& body);
+
 /// The runs 0 ... count - 1 with the parameters `params_of(run)`, on `threads` threads (at least
 /// 1). `deliver` gets each result when it is ready, one call at a time, in no fixed order. `stop`
 /// is called by all threads at any time. Returns when all runs are done or stopped. After an

@@ -1,5 +1,5 @@
 // Every output of the model, once: observables of the litter, fields of a pup, fields of an
-// afferent. Files, tables, plots, colours, docs and tests read these tables, as they read the
+// afferent. Files, tables, plots, colors, docs and tests read these tables, as they read the
 // parameters from `parameters()`.
 #pragma once
 

@@ -18,7 +18,7 @@ namespace pupflow {
 enum class Part {
   exposure,          // contact: which points touch, and the share A of those that do not
   owners,            // contact: whose point each of them touches
-  pairs,             // contact: the list of pairs of pups, and the points that touch nobody
+  pairs,             // contact: the list of pairs of pups, and the points without contact
   turn,              // steering: what both sides feel, and the turn; not only the direction
   direction,         // steering: the direction of travel is set
   sides,             // steering: which side each point is on, what both sides feel, and the turn,

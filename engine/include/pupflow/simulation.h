@@ -14,21 +14,13 @@
 
 namespace pupflow {
 
-/// Told when a stage of a step begins and ends; the engine itself owns no clock.
-class StageListener {
- public:
-  virtual ~StageListener() = default;
-  virtual void stage_begins(Stage stage) = 0;
-  virtual void stage_ends(Stage stage) = 0;
-};
-
 /// One litter in its arena. A value: copying it copies the whole state (that is how to take and
 /// restore a snapshot), and a copy goes on bit for bit like the original. Not thread-safe; separate
 /// objects may be used from separate threads.
 class Simulation {
  public:
   /// The litter of `params` at t = 0. Throws InvalidParams when `check(params)` finds a problem.
-  /// Results do not depend on the instruction set, which must be a supported one (kernels.h).
+  /// Results do not depend on `set`, which must be one of supported_instruction_sets().
   explicit Simulation(const Params& params,
                       InstructionSet set = supported_instruction_sets().back());
 
@@ -80,7 +72,7 @@ class Simulation {
   /// The status of the last step.
   const Status& status() const;
 
-  /// The impossible states of all steps so far, the first of each kind, by step (warning.h). They
+  /// The impossible states of all steps so far, the first of each kind, by step. They
   /// change nothing. A copy keeps them; a simulation made from a snapshot begins without any.
   std::span<const Warning> warnings() const;
 
@@ -93,18 +85,6 @@ class Simulation {
   /// The litter as it is now. Valid until the simulation is stepped, edited, moved or destroyed.
   LitterView view() const;
   operator LitterView() const { return view(); }  // NOLINT(google-explicit-constructor)
-
-  // TEMPORARY, until all callers use view().
-  void copy_positions(std::span<float> xyz) const { view().positions.copy_to(xyz); }
-  void copy_positions(std::span<double> xyz) const { view().positions.copy_to(xyz); }
-  void copy_velocities(std::span<double> xyz) const { view().velocities.copy_to(xyz); }
-  Eigen::Vector3d centre(int pup) const { return view().positions.mean(pup); }
-  std::span<const double> body_temperature() const { return view().tb; }
-  std::span<const double> heading() const { return view().heading; }
-  std::span<const double> exposed() const { return view().exposed; }
-  std::span<const int> touched_pup() const { return view().touched; }
-  std::span<const TouchingPair> touching() const { return view().touching; }
-  void set_observed(bool on) { set_observed(on ? kContactRecords : PartSet{}); }
 
   /// Replaces the cloud of one pup, e.g. to set up an experiment: 3 * points() numbers each. Throws
   /// std::out_of_range for a pup that is not there, std::invalid_argument for a wrong size. Numbers
@@ -119,7 +99,7 @@ class Simulation {
   /// The whole state as plain numbers.
   Snapshot snapshot() const;
 
-  /// Rotations since the start that came from flat, mirrored or collapsed clouds (rotation.h). With
+  /// Rotations since the start that came from flat, mirrored or collapsed clouds. With
   /// beta = 1 no rotation is worked out, so none is counted.
   std::int64_t rotation_fallbacks() const;
 

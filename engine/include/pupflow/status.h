@@ -27,6 +27,14 @@ constexpr int kStageCount = 6;
 /// The stage's name as `explain`, errors and benchmarks print it.
 std::string_view stage_name(Stage stage);
 
+/// Told when a stage of a step begins and ends; the engine itself owns no clock.
+class StageListener {
+ public:
+  virtual ~StageListener() = default;
+  virtual void stage_begins(Stage stage) = 0;
+  virtual void stage_ends(Stage stage) = 0;
+};
+
 /// Outcome of a step. A step never repairs anything. After a bad status the state stays as the step
 /// left it, for inspection, and the simulation takes no more steps.
 struct Status {

@@ -84,7 +84,7 @@ struct LitterView {
 
   // Part::sides: what steering felt in the last step; one value per pup. Empty unless recorded.
   std::span<const double> t_left, t_right;  // mean T_c on either side
-  std::span<const double> turn;             // delta theta (steering.h), radians
+  std::span<const double> turn;             // delta theta, radians; fields.h has the equation
 
   // One value per afferent (point), pup by pup.
   std::span<const int> touched;  // Part::owners, Part::pairs: pup of the nearest touching point, or

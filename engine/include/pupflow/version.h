@@ -1,0 +1,18 @@
+// The version of the library, which is that of the program.
+#pragma once
+
+#include <string_view>
+
+namespace pupflow {
+
+/// Semantic versioning: https://semver.org.
+struct Version {
+  int major, minor, patch;
+};
+
+Version version();
+
+/// The same as text, e.g. "0.2.0".
+std::string_view version_text();
+
+}  // namespace pupflow

@@ -1,4 +1,5 @@
-// The messages between ranks. All ranks run the same executable, so a struct is sent as its bytes.
+// The messages between ranks. All ranks run the same executable, so a plain struct is sent as its
+// bytes. A task is sent as text, since a schedule has any length.
 #pragma once
 
 #include <cstring>
@@ -65,5 +66,9 @@ T unpack(const std::string& bytes) {
   std::memcpy(&value, bytes.data(), sizeof value);
   return value;
 }
+
+/// A task as text, and back. Throws what io::params_from throws, or std::runtime_error.
+std::string pack(const Task& task);
+Task unpack_task(const std::string& bytes);
 
 }  // namespace pupflow::mpi

@@ -72,7 +72,7 @@ class Worker {
   void receive_messages() {
     while (const std::optional<Message> message = mailbox_.receive()) {
       heard_ = Clock::now();
-      if (message->tag == Tag::task && pool_) pool_->submit(unpack<Task>(message->bytes));
+      if (message->tag == Tag::task && pool_) pool_->submit(unpack_task(message->bytes));
       if (message->tag == Tag::stop) stop_ = true;
       if (message->tag == Tag::shutdown) shutdown_ = unpack<Shutdown>(message->bytes);
     }

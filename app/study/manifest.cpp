@@ -4,6 +4,7 @@
 
 #include "app/io/failure.h"
 #include "app/io/provenance.h"
+#include "app/io/schedule_text.h"
 #include "app/io/text.h"
 #include "app/study/design.h"
 
@@ -48,6 +49,8 @@ std::string manifest_text(const Design& design) {
     text << parameter.name << " = " << quote << format_value(parameter, design.base) << quote
          << '\n';
   }
+  const Schedule& schedule = design.base.schedule;
+  if (!schedule.empty()) text << "at = \"" << io::schedule_text(schedule) << "\"\n";
   return text.str();
 }
 
@@ -69,7 +72,7 @@ Design parse_manifest(const std::string& text, const std::string& where) {
   }
   if (const toml::table* given = table["parameters"].as_table()) {
     for (const auto& [key, value] : *given) {
-      if (find_parameter(key.str())) continue;
+      if (find_parameter(key.str()) || key.str() == "at") continue;
       refuse(where, "this version has no parameter " + io::quoted(key.str()));
     }
   }
@@ -90,6 +93,11 @@ Design parse_manifest(const std::string& text, const std::string& where) {
       refuse(where, "parameter " + name + " is of another kind");
     }
     if (!parse_value(parameter, value, design.base, problem)) refuse(where, problem.message);
+  }
+  if (const auto at = table["parameters"]["at"].value<std::string>()) {
+    std::vector<std::string> problems;
+    design.base.schedule = io::parse_schedule(*at, where, problems);
+    if (!problems.empty()) refuse(where, problems.front());
   }
   io::take_as_before(missing, where, design.base);
   if (design.seeds < 1) refuse(where, "seeds must be at least 1");

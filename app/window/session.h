@@ -25,8 +25,9 @@ struct Speed {  // times real time; infinite: as fast as possible
 };
 struct Edit {  // a whole parameter set; a new litter when one that defines it differs
   Params params;
-  std::optional<Params> before;  // what the user saw: only what differs from it is changed, so that
-                                 // the schedule goes on with the rest
+  std::optional<Params> before =
+      {};  // what the user saw: only what differs from it is changed, so that
+           // the schedule goes on with the rest
 };
 struct Restart {};  // the same litter from t = 0
 struct Observe {    // whether the observables are shown

@@ -13,12 +13,13 @@ namespace pupflow::bench {
 namespace {
 
 constexpr int kStates = 8, kStepsBetween = 25;  // of a litter, as in whole_steps.cpp
-constexpr int kRepeats = 15;                    // of the stage from each state
+constexpr double kTemperatures[] = {0.2, 0.5, 0.8};
+constexpr int kRepeats = 15;  // of the stage from each state
 
 /// The litter of `params` as the contact stage finds it in some of its steps.
 template <class Real>
 std::vector<State<Real>> states_before_contacts(const Params& params) {
-  Simulation simulation = settled(params, kCompared);
+  Simulation simulation = settled(params);
   std::vector<State<Real>> states;
   for (int i = 0; i < kStates; ++i) {
     simulation.run(kStepsBetween);

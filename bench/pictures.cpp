@@ -13,7 +13,7 @@ namespace pupflow::bench {
 
 void pictures(int rounds, Verdicts& verdicts) {
   setenv("LP_NUM_THREADS", "1", 0);  // software OpenGL: one core, as everything else here
-  const Simulation& litter = settled(huddling(Precision::float_));
+  const Simulation& litter = settled(huddling(Precision::float_), kLanded);
   Params params = litter.params();
   params.pups = 0;
   const Simulation nobody(params);

@@ -44,7 +44,7 @@ double bytes_a_pup() {
 
 void measure_crowds(Precision precision, const char* name, int rounds, Verdicts& verdicts) {
   std::vector<Crowd> crowds;
-  for (const int pups : kSizes) crowds.push_back({settled(crowd(pups, precision)), {}});
+  for (const int pups : kSizes) crowds.push_back({settled(crowd(pups, precision), kLanded), {}});
   for (int round = 0; round < rounds; ++round) {
     for (Crowd& crowd : crowds) crowd.pup_step.push_back(pup_step_time(crowd));
   }

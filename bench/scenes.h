@@ -7,12 +7,10 @@
 
 namespace pupflow::bench {
 
-/// Steps after which the paper's litter has landed and huddles or has spread.
-constexpr std::int64_t kSettled = 500;
-
-/// Temperatures and steps at which rules of contact and whole steps are compared.
-constexpr double kTemperatures[] = {0.2, 0.5, 0.8};
-constexpr std::int64_t kCompared = 800;
+/// Steps after which a litter has landed.
+constexpr std::int64_t kLanded = 500;
+/// Steps after which the paper's litter also huddles or has spread.
+constexpr std::int64_t kSettled = 800;
 
 /// The paper's litter, seed 1.
 Params litter(double ambient_temperature, Precision precision);

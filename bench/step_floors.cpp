@@ -59,61 +59,79 @@ template <class Real>
 constexpr Precision kPrecision = sizeof(Real) == sizeof(float) ? Precision::float_
                                                                : Precision::double_;
 
+/// A step of many pups and what its memory allows, each a pup.
+struct MemoryFloor {
+  double kilobytes, gigabytes_a_second, floor, step, times;
+};
+
 template <class Real>
-void floor_of_memory(int rounds) {
+MemoryFloor floor_of_memory(int rounds) {
   const TightVariant<Real> variant = tight_variants<Real>().back();
-  Simulation simulation = settled(crowd(kCrowd, kPrecision<Real>));
+  Simulation simulation = settled(crowd(kCrowd, kPrecision<Real>), kLanded);
   Crowd<Real> arrays(simulation.points());
+  const double bytes = kStepRows * arrays.row_bytes();
   std::vector<double> step, rate, floor;
   for (int round = 0; round < rounds; ++round) {
     rate.push_back(arrays.memory_rate(*variant.kernels));
-    floor.push_back(kStepRows * arrays.row_bytes() / rate.back());
+    floor.push_back(bytes / rate.back());
     step.push_back(busy_microseconds([&] { simulation.run(kCrowdSteps); }) / kCrowdSteps / kCrowd);
   }
-  std::printf(
-      "- **Memory**, %d pups in %s. A step moves %d rows of %.2f kB a pup: %d in the boundaries, "
-      "%d in"
-      " the contact search, %d in all stages behind it. The tight kernel `predict` moves %.1f GB/s"
-      " over as many pups. So a step needs at least %.2f µs a pup; it takes %.2f, %.1f times as"
-      " long.\n",
-      kCrowd, precision_name(kPrecision<Real>), kStepRows, 1e-3 * arrays.row_bytes(), kBoundaryRows,
-      kSearchRows, kMotionRows, 1e-3 * median(rate), median(floor), median(step),
-      ratio(step, floor));
+  return {1e-3 * bytes, 1e-3 * median(rate), median(floor), median(step), ratio(step, floor)};
 }
 
+void print_memory(const MemoryFloor& f, const MemoryFloor& d) {
+  std::printf(
+      "- **Memory.** A step of %d pups moves %d of the arrays of their points through memory (%d in"
+      " the boundaries, %d in the contact search, %d in the stages behind it): %.1f kB a pup in"
+      " float, %.1f in double. The tight kernel `predict` moves %.1f and %.1f GB/s over as many"
+      " pups, so a step needs at least %.2f and %.2f µs a pup. It takes %.2f and %.2f: %.1f and "
+      "%.1f"
+      " times as long.\n",
+      kCrowd, kStepRows, kBoundaryRows, kSearchRows, kMotionRows, f.kilobytes, d.kilobytes,
+      f.gigabytes_a_second, d.gigabytes_a_second, f.floor, d.floor, f.step, d.step, f.times,
+      d.times);
+}
+
+/// The contact stage of the huddling litter and the least that its search compares.
+struct SearchFloor {
+  int group;
+  double pups, points, floor, stage, times;
+};
+
 template <class Real>
-void floor_of_contacts(int rounds) {
+SearchFloor floor_of_search(int rounds) {
   const TightVariant<Real> variant = tight_variants<Real>().back();
   const Simulation& start = settled(huddling(kPrecision<Real>));
   TightLitter<Real> tight(start.snapshot());
-  const auto least = tight.least_search(variant.kernels->group);
-  std::vector<double> stage, looking, comparing, floor;
+  const int group = variant.kernels->group;
+  const auto least = tight.least_search(group);
+  std::vector<double> stage, floor;
   for (int round = 0; round < rounds; ++round) {
     Simulation simulation = start;
     stage.push_back(stage_times(simulation, kSteps)[static_cast<std::size_t>(Stage::contact)]);
-    const Floors tightly = tight.measure(*variant.kernels);
-    looking.push_back(tightly.bounds / tight.pups() * least.pups);
-    comparing.push_back(tightly.distances / tight.distance_tests() * least.points);
-    floor.push_back(looking.back() + comparing.back());
+    const Floors times = tight.measure(*variant.kernels);
+    floor.push_back(times.bounds / tight.pups() * least.pups +
+                    times.distances / tight.distance_tests() * least.points);
   }
+  return {group, least.pups, least.points, median(floor), median(stage), ratio(stage, floor)};
+}
+
+void print_search(const SearchFloor& f, const SearchFloor& d) {
   std::printf(
-      "- **Contacts**, T_a = 0.2 in %s. A search without memory of the step before looks through "
-      "the"
-      " points of both pups of each near pair, %.0f pups in all: %.2f µs at the rate of the kernel"
-      " `bounds`. In groups of %d points it compares at least the %.0f pairs of a point and a group"
-      " that touch: %.2f µs at the rate of `distances`. The stage takes %.1f µs, %.1f times"
-      " as long as both.\n",
-      precision_name(kPrecision<Real>), least.pups, median(looking), variant.kernels->group,
-      least.points, median(comparing), median(stage), ratio(stage, floor));
+      "- **Contacts**, T_a = 0.2. A search that remembers nothing of the step before looks through"
+      " the points of both pups of every near pair, %.0f pups in all. In groups of %d points it "
+      "then"
+      " compares each point with the groups that it touches: %.0f pairs of points in float, %.0f in"
+      " double. At the rates of the tight kernels `bounds` and `distances` both take %.1f and %.1f"
+      " µs; the contact stage takes %.1f and %.1f, %.1f and %.1f times as long.\n",
+      f.pups, f.group, f.points, d.points, f.floor, d.floor, f.stage, d.stage, f.times, d.times);
 }
 
 }  // namespace
 
 void step_floors(int rounds, Verdicts&) {
-  floor_of_memory<float>(rounds);
-  floor_of_memory<double>(rounds);
-  floor_of_contacts<float>(rounds);
-  floor_of_contacts<double>(rounds);
+  print_memory(floor_of_memory<float>(rounds), floor_of_memory<double>(rounds));
+  print_search(floor_of_search<float>(rounds), floor_of_search<double>(rounds));
 }
 
 }  // namespace pupflow::bench

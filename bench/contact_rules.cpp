@@ -60,7 +60,7 @@ void compare_rules(const Params& params, int rounds, Verdicts& verdicts) {
   const auto times = in_turns({{"nearest", by(ContactRule::nearest)},
                                {"mean", by(ContactRule::mean)},
                                {"sum", by(ContactRule::sum)}},
-                              rounds);
+                              3 * rounds);
   const std::string precision = precision_name(params.precision);
   const std::string at = temperature_name(params.ambient_temperature);
   std::printf("| %s, %s | %.1f | %.1f | %.1f | %.2f | %.2f |\n", precision.c_str(), at.c_str(),

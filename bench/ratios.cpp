@@ -20,9 +20,9 @@ struct Section {
 };
 
 // Memory is measured in children that begin as big as their parent: scaling goes first.
-const std::vector<Section> kSections = {{"scaling", scaling}, {"whole", whole_steps},
-                                        {"stages", stages},   {"threads", threads},
-                                        {"start", start_up},  {"pictures", pictures}};
+const std::vector<Section> kSections = {
+    {"scaling", scaling},    {"whole", whole_steps}, {"stages", stages},  {"rules", contact_rules},
+    {"floors", step_floors}, {"threads", threads},   {"start", start_up}, {"pictures", pictures}};
 
 struct Options {
   int rounds = 11;

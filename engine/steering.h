@@ -12,8 +12,6 @@
 //
 //   theta = psi + turn
 //
-// An action on the pup (schedule.h) may set its turn.
-//
 // Wilson 2017, Methods; docs/model.md, Steering.
 #pragma once
 

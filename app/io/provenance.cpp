@@ -16,8 +16,9 @@ namespace {
 /// Entries that stand before parameters or among them: the version, a sweep's design (its manifest
 /// is TOML, with "software" in small letters), and what HDF5 files say of themselves (their
 /// attributes are read in the order of the alphabet).
-constexpr std::string_view kBetween[] = {"Software", "software", "name",        "vary", "seeds",
-                                         "runs",     "shard",    "ended early", "kind", "layout"};
+constexpr std::string_view kBetween[] = {
+    "Software", "software", "name",    "vary",  "seeds", "runs",       "shard",       "ended early",
+    "kind",     "layout",   "columns", "table", "lhs",   "seed_block", "record_every"};
 
 /// The first of the entries behind the parameters, which tell of the output itself: of a picture,
 /// of a report's file, of a sweep's figure.

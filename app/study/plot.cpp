@@ -13,9 +13,13 @@ namespace pupflow::study {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> plot_paths(const std::string& folder, const Design& design) {
+std::vector<std::string> picture_paths(const std::string& folder, const Design& design) {
   const std::string base = folder + "/" + design.name;
-  return {base + ".png", base + ".svg", base + ".gp"};
+  return {base + ".png", base + ".svg"};
+}
+
+std::string script_path(const std::string& folder, const Design& design) {
+  return folder + "/" + design.name + ".gp";
 }
 
 std::string draw_plots(const std::string& folder, const Design& design,
@@ -27,7 +31,7 @@ std::string draw_plots(const std::string& folder, const Design& design,
   }
   if (std::none_of(summaries.begin(), summaries.end(), [](const Summary& s) { return s.runs > 0; }))
     return "no plot: no run was fine";
-  const std::string path = folder + "/" + design.name + ".gp";
+  const std::string path = script_path(folder, design);
   if (!fs::exists(path)) {
     io::AtomicFile file(path, false);
     file.write(text);

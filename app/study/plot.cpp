@@ -8,6 +8,7 @@
 #include "app/io/gnuplot.h"
 #include "app/io/provenance.h"
 #include "app/study/plot_script.h"
+#include "app/study/plot_source.h"
 
 namespace pupflow::study {
 

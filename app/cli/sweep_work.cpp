@@ -5,7 +5,7 @@
 #include "app/cli/launcher.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
-#include "app/study/folder.h"
+#include "app/study/files.h"
 #include "app/study/latin.h"
 #include "app/study/series.h"
 #include "app/study/table.h"

@@ -9,7 +9,7 @@
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
-#include "app/study/folder.h"
+#include "app/study/files.h"
 #include "pupflow/observer.h"
 
 namespace pupflow::study {

@@ -4,9 +4,8 @@
 
 #include "app/io/read_file.h"
 #include "app/io/text.h"
-#include "app/study/folder.h"
+#include "app/study/files.h"
 #include "app/study/journal.h"
-#include "app/study/plot.h"
 #include "app/study/plot_script.h"
 
 namespace pupflow::study {

@@ -8,7 +8,7 @@
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
 #include "app/study/extend.h"
-#include "app/study/plot.h"
+#include "app/study/files.h"
 #include "app/study/series.h"
 #include "app/study/table.h"
 
@@ -44,36 +44,6 @@ void write_text(const std::string& path, const std::string& text) {
 }
 
 }  // namespace
-
-std::string runs_path(const std::string& folder) {
-  return folder + "/runs.csv";
-}
-std::string summary_path(const std::string& folder) {
-  return folder + "/summary.csv";
-}
-std::string manifest_path(const std::string& folder) {
-  return folder + "/manifest.toml";
-}
-std::string journal_path(const std::string& folder) {
-  return folder + "/journal.csv";
-}
-std::string table_path(const std::string& folder) {
-  return folder + "/design.csv";
-}
-
-std::vector<std::string> result_paths(const std::string& folder, const Design& design) {
-  std::vector<std::string> files = picture_paths(folder, design);
-  files.push_back(runs_path(folder));
-  files.push_back(summary_path(folder));
-  return files;
-}
-
-void remove_file(const std::string& path) {
-  std::error_code error;
-  if (!fs::remove(path, error) && error) {
-    throw io::Failure(io::ExitCode::bad_file, path + ": cannot remove: " + error.message());
-  }
-}
 
 void claim_folder(const std::string& folder, const Design& design, bool force) {
   make_folder(folder);

@@ -1,24 +1,11 @@
-// The folder of a sweep: its files, and the sweep that it belongs to.
+// The folder of a sweep, and the sweep that it belongs to.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "app/study/design.h"
 
 namespace pupflow::study {
-
-std::string runs_path(const std::string& folder);
-std::string summary_path(const std::string& folder);
-std::string manifest_path(const std::string& folder);
-std::string journal_path(const std::string& folder);
-std::string table_path(const std::string& folder);  // of a design that is a table
-
-/// The files that are made from the rows of a whole sweep, but for the figure's script.
-std::vector<std::string> result_paths(const std::string& folder, const Design& design);
-
-/// Removes a file if it is there. Throws io::Failure(bad_file).
-void remove_file(const std::string& path);
 
 /// Makes the folder belong to this design. A new folder, or one taken over with `force`, then holds
 /// only the manifest, and the table of a design that is one. A folder whose sweep this one extends

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/io/failure.h"
+#include "app/study/files.h"
 #include "app/study/folder.h"
 #include "app/study/series.h"
 

@@ -7,21 +7,13 @@
 #include "app/io/failure.h"
 #include "app/io/gnuplot.h"
 #include "app/io/provenance.h"
+#include "app/study/files.h"
 #include "app/study/plot_script.h"
 #include "app/study/plot_source.h"
 
 namespace pupflow::study {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> picture_paths(const std::string& folder, const Design& design) {
-  const std::string base = folder + "/" + design.name;
-  return {base + ".png", base + ".svg"};
-}
-
-std::string script_path(const std::string& folder, const Design& design) {
-  return folder + "/" + design.name + ".gp";
-}
 
 std::string draw_plots(const std::string& folder, const Design& design,
                        const std::vector<Summary>& summaries) {

@@ -6,6 +6,7 @@
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
+#include "app/study/files.h"
 #include "app/study/folder.h"
 #include "app/study/journal.h"
 #include "app/study/plot.h"

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/study/files.h"
 #include "app/study/journal.h"
 #include "app/study/plot_script.h"
 #include "app/study/series.h"

@@ -67,8 +67,8 @@ void CsvFile::comment(std::string_view text) {
 MetricsCsv::MetricsCsv(const std::string& path, bool force, const Params& params)
     : file_(path, force, provenance(params), metrics_columns()) {}
 
-void MetricsCsv::add(std::int64_t step, double time, const Observables& seen) {
-  file_.cell(step).cell(time);
+void MetricsCsv::add(const LitterView& litter, const Observables& seen) {
+  file_.cell(litter.step).cell(litter.time);
   for (const ObservableField& row : observables()) file_.cell(seen.*row.value);
   file_.end_row();
 }

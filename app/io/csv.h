@@ -44,10 +44,7 @@ class CsvFile {
 class MetricsCsv {
  public:
   MetricsCsv(const std::string& path, bool force, const Params& params);
-  void add(const LitterView& litter, const Observables& seen) {
-    add(litter.step, litter.time, seen);
-  }
-  void add(std::int64_t step, double time, const Observables& seen);
+  void add(const LitterView& litter, const Observables& seen);
   CsvFile& file() { return file_; }
 
  private:

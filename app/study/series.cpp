@@ -6,6 +6,7 @@
 #include "app/io/atomic_file.h"
 #include "app/io/csv.h"
 #include "app/io/failure.h"
+#include "app/io/provenance.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
 
@@ -24,6 +25,13 @@ bool is_series(const std::string& name) {
   return parts.size() == 2 && std::all_of(parts.begin(), parts.end(), [](std::string_view part) {
            return io::read_number<std::uint64_t>(part).has_value();
          });
+}
+
+/// Those of the metrics CSV of a run.
+std::string columns() {
+  std::string names = "step,time";
+  for (const Field& field : observables()) names.append(",").append(field.name);
+  return names;
 }
 
 void make_series_folder(const std::string& folder) {
@@ -61,12 +69,16 @@ void write_series(const std::string& folder, const Design& design, std::int64_t 
                   const RunResult& result) {
   if (design.record_every == 0) return;
   make_series_folder(folder);
-  io::MetricsCsv csv(series_path(folder, design, run), true, design.params_of(run));
-  for (const Sample& sample : result.series) csv.add(sample.step, sample.time, sample.seen);
-  for (const Warning& warning : result.warnings.all())
-    csv.file().comment("warning: " + warning.message());
-  if (!result.status.ok()) csv.file().comment("ended early: " + result.status.message());
-  csv.file().commit();
+  const Params params = design.params_of(run);
+  io::CsvFile csv(series_path(folder, design, run), true, io::provenance(params), columns());
+  for (const Sample& sample : result.series) {
+    csv.cell(sample.step).cell(sample.time);
+    for (const ObservableField& row : observables()) csv.cell(sample.seen.*row.value);
+    csv.end_row();
+  }
+  for (const Warning& warning : result.warnings.all()) csv.comment("warning: " + warning.message());
+  if (!result.status.ok()) csv.comment("ended early: " + result.status.message());
+  csv.commit();
 }
 
 void copy_series(const std::string& from, const Design& shard, const std::string& to) {

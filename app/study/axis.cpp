@@ -47,7 +47,7 @@ std::vector<double> ends_of(const Typed& typed, const Parts& parts) {
     refuse(typed.option + ": list its choices, e.g. " + std::string(parameter.name) + "=" +
            std::string(parameter.choices[0]) + "," + std::string(parameter.choices[1]));
   }
-  const std::vector<double> ends{value_of(parameter, parts[0]), value_of(parameter, parts[1])};
+  std::vector<double> ends{value_of(parameter, parts[0]), value_of(parameter, parts[1])};
   if (ends[0] == ends[1]) {
     refuse(typed.option + ": " + std::string(parts[0]) + " to " + std::string(parts[1]) +
            " is no range");

@@ -119,6 +119,7 @@ void read_points(Node sweep, const std::string& where, const std::string& table,
   const auto points = required<std::int64_t>(sweep, "lhs", where);
   if (points < 1 || points > kMostValues) refuse(where, "lhs is out of range");
   std::vector<Span> spans;
+  spans.reserve(vary.size());
   for (const std::string& span : vary) spans.push_back(parse_span(span));
   spread_latin(design, spans, points);
 }

@@ -43,6 +43,7 @@ PlotSource plot_source(const Design& design, const std::vector<Summary>& summari
     return key;
   };
   std::vector<std::pair<std::vector<std::size_t>, const Summary*>> points;
+  points.reserve(summaries.size());
   for (const Summary& summary : summaries) points.emplace_back(key_of(summary), &summary);
   const auto before = [](const auto& a, const auto& b) { return a.first < b.first; };
   if (std::is_sorted(points.begin(), points.end(), before)) return {"'summary.csv'", ""};

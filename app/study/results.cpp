@@ -169,6 +169,7 @@ std::vector<Summary> summarise(const Design& design, const std::vector<Row>& row
     points[place].push_back(&row);
   }
   std::vector<Summary> summaries;
+  summaries.reserve(points.size());
   for (const auto& point : points) summaries.push_back(summarise_point(design, point));
   add_susceptibility(design, summaries);
   return summaries;

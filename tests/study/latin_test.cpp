@@ -82,9 +82,9 @@ TEST(Span, ThatIsWrongIsRefusedWithWhatWouldBeRight) {
                                                        {"heading=0:1", "heading=course,body"},
                                                        {"seed=0:1", "--seeds"},
                                                        {"taa=0:1", "did you mean 'ta'"}};
-  for (const auto& [text, said] : wrong) {
-    EXPECT_THAT(pupflow::test::failure_of(io::ExitCode::bad_input, [&] { parse_span(text); }),
-                HasSubstr(said));
+  for (const auto& pair : wrong) {
+    EXPECT_THAT(pupflow::test::failure_of(io::ExitCode::bad_input, [&] { parse_span(pair.first); }),
+                HasSubstr(pair.second));
   }
 }
 

@@ -16,8 +16,9 @@ namespace {
 constexpr int kWidth = 1400, kHeight = 860, kColumns = 3, kRows = 2;
 constexpr int kLetter = 9, kLine = 22;                 // room of a letter, of a line of text
 constexpr int kBar = 16, kBarGap = 8, kBarLabel = 88;  // the color bar of a panel
-constexpr int kTitle = 44, kAxisLabels = 62,
-              kBetween = 16;  // above a panel, below the lowest, between
+constexpr int kTitle = 44;                             // above a panel
+constexpr int kAxisLabels = 62;                        // below the lowest
+constexpr int kBetween = 16;                           // between two in a row
 
 /// Ticks of one axis: places, and what stands there.
 struct Ticks {

@@ -96,6 +96,7 @@ TEST_F(Recorded, HasTheMetricsOfEachRun) {
     const std::string name = std::to_string(i / 2 + 1) + "-" + std::to_string(i % 2 + 1) + ".csv";
     EXPECT_EQ(contents(path("s/series/" + name)), contents(path("run.csv"))) << name;
   }
+  expect(0, {"run", "--like", "s/summary.csv", "--quiet"});
   expect(0, sweep("plain", 2));
   EXPECT_EQ(rows_of(path("plain/runs.csv")), rows);
 }

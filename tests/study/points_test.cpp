@@ -29,6 +29,7 @@ TEST_F(Points, OfATableAreItsRowsInTheirOrder) {
   std::set<std::string> seeds;
   for (const Words& row : runs) seeds.insert(row[2]);
   EXPECT_THAT(seeds, SizeIs(6));
+  expect(0, {"run", "--like", "s/runs.csv", "--quiet"});
   // The folder keeps the table: it gives the same sweep.
   const Outcome again =
       pupflow(small("sweep", {"--design", "s/design.csv", "--seeds", "2", "--out", "s"}));

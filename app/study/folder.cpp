@@ -28,12 +28,11 @@ void make_folder(const std::string& folder) {
   }
 }
 
-/// Everything of a sweep that is not its manifest and not a series.
+/// Everything that any sweep has beside its manifest.
 std::vector<std::string> other_files(const std::string& folder, const Design& design) {
   std::vector<std::string> files = result_paths(folder, design);
   files.push_back(script_path(folder, design));
   files.push_back(journal_path(folder));
-  files.push_back(table_path(folder));
   return files;
 }
 
@@ -64,6 +63,7 @@ void claim_folder(const std::string& folder, const Design& design, bool force) {
   }
   std::vector<std::string> in_the_way = other_files(folder, design);
   if (design.record_every > 0) in_the_way.push_back(series_folder(folder));
+  if (design.layout == Layout::table) in_the_way.push_back(table_path(folder));
   for (const std::string& file : in_the_way) {
     if (fs::exists(file) && !force) {
       throw io::Failure(io::ExitCode::bad_file,
@@ -74,7 +74,10 @@ void claim_folder(const std::string& folder, const Design& design, bool force) {
   }
   // Results are removed first, so a folder never has the manifest of another sweep beside them.
   for (const std::string& file : other_files(folder, design)) remove_file(file);
-  if (claimed || force) remove_series(folder);
+  if (claimed) {
+    remove_file(table_path(folder));
+    remove_series(folder);
+  }
   if (design.layout == Layout::table) write_text(table_path(folder), table_text(design));
   write_text(path, text);
 }

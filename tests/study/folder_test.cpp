@@ -140,6 +140,24 @@ TEST_F(AFolder, KeepsTheTableOfItsDesign) {
   EXPECT_THAT(refused(ExitCode::bad_input, other), HasSubstr("'table = "));
 }
 
+TEST_F(AFolder, TakesNoTableAndNoSeriesForItsOwnWithoutAManifest) {
+  const Scratch scratch;
+  const std::string folder = scratch.folder().string();
+  scratch.file("design.csv", "somebody's");
+  std::filesystem::create_directory(series_folder(folder));
+  scratch.file("series/1-1.csv", "somebody's");
+  Design table = test::small_design({}, 2), recorded = design_;
+  parse_table("ta\n0.5\n", "here", table);
+  recorded.record_every = 1;
+  for (const Design& design : {table, recorded})
+    failure_of(ExitCode::bad_file, [&] { claim_folder(folder, design, false); });
+  claim_folder(folder, design_, true);
+  EXPECT_EQ(contents(scratch.path("design.csv")), "somebody's");
+  EXPECT_EQ(contents(scratch.path("series/1-1.csv")), "somebody's");
+  claim_folder(folder, table, true);
+  EXPECT_EQ(contents(scratch.path("design.csv")), "ta\n0.5\n");
+}
+
 TEST_F(AFolder, RefusesFilesThatNoManifestExplains) {
   for (const char* name :
        {"journal.csv", "runs.csv", "summary.csv", "sweep.png", "sweep.svg", "sweep.gp"}) {

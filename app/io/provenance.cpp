@@ -17,9 +17,10 @@ namespace {
 /// Entries that stand before parameters or among them: the version, a sweep's design (its manifest
 /// is TOML, with "software" in small letters), and what HDF5 files say of themselves (their
 /// attributes are read in the order of the alphabet).
-constexpr std::string_view kBetween[] = {"Software", "software", "name",        "vary", "seeds",
-                                         "runs",     "shard",    "ended early", "kind", "layout",
-                                         "step",     "hash",     "edited",      "begun"};
+constexpr std::string_view kBetween[] = {
+    "Software",     "software", "name",   "vary",    "seeds", "runs", "shard",
+    "ended early",  "kind",     "layout", "columns", "table", "lhs",  "seed_block",
+    "record_every", "step",     "hash",   "edited",  "begun"};
 
 /// The schedule, behind the parameters.
 constexpr const char* kSchedule = "at";

@@ -59,7 +59,7 @@ class Worker {
       pool_.reset();
       mailbox_.send(kLeader, Tag::failed, message_of(done->failure));
     } else if (done->result) {
-      mailbox_.send(kLeader, Tag::result, pack(Result{done->run, *done->result}));
+      mailbox_.send(kLeader, Tag::result, pack_result({done->run, *done->result}));
     }
   }
 

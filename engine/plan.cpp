@@ -26,6 +26,7 @@ constexpr PartRow kParts[kPartCount] = {
     {Part::rotation, Stage::shape_match, "rotation"},
     {Part::quadratic, Stage::shape_match, "quadratic terms"},
     {Part::strain, Stage::shape_match, "strain"},
+    {Part::pose, Stage::shape_match, "pose"},
 };
 
 Verdict decide_boundary(const Params& p) {
@@ -115,8 +116,9 @@ Verdict decide_record(bool observed) {
 Verdict decide(Stage stage, const Params& p, PartSet observed) {
   const Verdict verdict = decide(stage, p);
   if (verdict.needed || p.pups == 0) return verdict;
-  const bool records = (stage == Stage::steering && observed.has(Part::sides)) ||
-                       (stage == Stage::shape_match && observed.has(Part::strain));
+  const bool records =
+      (stage == Stage::steering && observed.has(Part::sides)) ||
+      (stage == Stage::shape_match && (observed.has(Part::strain) || observed.has(Part::pose)));
   return records ? decide_record(true) : verdict;
 }
 
@@ -158,6 +160,7 @@ Verdict decide(Part part, const Params& p, PartSet observed) {
     case Part::pairs:
     case Part::sides:
     case Part::strain:
+    case Part::pose:
       return decide_record(observed.has(part));
   }
   return {true, ""};

@@ -7,6 +7,7 @@
 #include "engine/boundary.h"
 #include "engine/health.h"
 #include "engine/heat.h"
+#include "engine/pose.h"
 #include "engine/refinement.h"
 #include "engine/shape_match.h"
 #include "engine/steering.h"
@@ -119,6 +120,8 @@ struct Step {
         }
       }
     }
+    const bool done = end == sequence.stages().size();
+    if (done && plan.has(Part::pose)) record_poses(cloud, state, first, last);
   }
 
   static void keep_earliest(Found& found, const Status& status, std::size_t place) {

@@ -1,14 +1,20 @@
 #include "app/io/hdf5_file.h"
 
+#include <optional>
+
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
+#include "pupflow/parameters.h"
 
 namespace pupflow::io {
 namespace {
 
-/// HDF5 prints its own account of every error unless told not to; errors are reported here.
+/// HDF5 prints its own account of every error unless told not to; errors are reported here. Its
+/// work at the exit of the program crashes when a file could not be closed: disks fill up.
 void be_quiet() {
+  static const herr_t before_all_else = H5dont_atexit();
+  static_cast<void>(before_all_else);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -31,19 +37,71 @@ hid_t text_type() {
   return type;
 }
 
-/// Adds one attribute to `data`, a TextEntries; other kinds than text are passed over.
+/// The value of a text attribute; nothing where it cannot be read.
+std::optional<std::string> read_text(hid_t attribute, hid_t type) {
+  char* value = nullptr;
+  if (H5Aread(attribute, type, &value) < 0) return std::nullopt;
+  std::string text = value == nullptr ? "" : value;
+  H5free_memory(value);
+  return text;
+}
+
+/// The same for a number, as text that reads back to it.
+std::optional<std::string> read_number_text(hid_t attribute, bool whole) {
+  std::int64_t integer = 0;
+  double real = 0;
+  if (whole) {
+    if (H5Aread(attribute, H5T_NATIVE_INT64, &integer) < 0) return std::nullopt;
+    return std::to_string(integer);
+  }
+  if (H5Aread(attribute, H5T_NATIVE_DOUBLE, &real) < 0) return std::nullopt;
+  return number_text(real);
+}
+
+/// Adds one attribute to `data`, a TextEntries; what is neither text nor one number is passed over.
 herr_t add_attribute(hid_t file, const char* name, const H5A_info_t*, void* data) {
   const Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
   const Handle type(H5Aget_type(attribute), H5Tclose);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) <= 0) return 0;
-  char* value = nullptr;
-  if (H5Aread(attribute, type, &value) < 0) return -1;
-  if (value != nullptr) static_cast<TextEntries*>(data)->emplace_back(name, value);
-  H5free_memory(value);
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  if (H5Sget_simple_extent_npoints(space) != 1) return 0;
+  const H5T_class_t kind = H5Tget_class(type);
+  std::optional<std::string> value;
+  if (kind == H5T_STRING && H5Tis_variable_str(type) > 0) {
+    value = read_text(attribute, type);
+  } else if (kind == H5T_INTEGER || kind == H5T_FLOAT) {
+    value = read_number_text(attribute, kind == H5T_INTEGER);
+  } else {
+    return 0;
+  }
+  if (!value) return -1;
+  static_cast<TextEntries*>(data)->emplace_back(name, *value);
   return 0;
 }
 
+struct TypeRow {
+  NumberType type;
+  hid_t hdf5;
+  std::size_t size;
+};
+
+const TypeRow& row_of(NumberType type) {
+  static const TypeRow rows[] = {{NumberType::f8, H5T_NATIVE_DOUBLE, 8},
+                                 {NumberType::f4, H5T_NATIVE_FLOAT, 4},
+                                 {NumberType::i8, H5T_NATIVE_INT64, 8},
+                                 {NumberType::i2, H5T_NATIVE_INT16, 2},
+                                 {NumberType::u1, H5T_NATIVE_UINT8, 1}};
+  return rows[static_cast<std::size_t>(type)];
+}
+
 }  // namespace
+
+hid_t hdf5_type(NumberType type) {
+  return row_of(type).hdf5;
+}
+
+std::size_t byte_size(NumberType type) {
+  return row_of(type).size;
+}
 
 Hdf5Writer::Hdf5Writer(const std::string& path, bool force)
     : path_(path), target_(path, force), file_(open_new(target_.written_aside())) {
@@ -66,6 +124,50 @@ void Hdf5Writer::text(hid_t object, const std::string& name, const std::string& 
       checked(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT)), H5Aclose);
   const char* data = value.c_str();
   checked(H5Awrite(attribute, type, &data));
+}
+
+void Hdf5Writer::add_number(hid_t object, const std::string& name, hid_t type,
+                            const void* value) const {
+  const Handle space(checked(H5Screate(H5S_SCALAR)), H5Sclose);
+  const Handle attribute(
+      checked(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT)), H5Aclose);
+  checked(H5Awrite(attribute, type, value));
+}
+
+void Hdf5Writer::number(hid_t object, const std::string& name, double value) const {
+  add_number(object, name, H5T_NATIVE_DOUBLE, &value);
+}
+
+void Hdf5Writer::number(hid_t object, const std::string& name, std::int64_t value) const {
+  add_number(object, name, H5T_NATIVE_INT64, &value);
+}
+
+void Hdf5Writer::about(const TextEntries& entries) const {
+  for (const auto& [name, value] : entries) {
+    const Parameter* const parameter = find_parameter(name);
+    const auto real = read_number<double>(value);
+    const auto whole = read_number<std::int64_t>(value);
+    if (parameter && parameter->kind == Parameter::Kind::integer && whole) {
+      number(file_, name, *whole);
+    } else if (parameter && parameter->kind == Parameter::Kind::real && real) {
+      number(file_, name, *real);
+    } else {
+      text(name, value);
+    }
+  }
+}
+
+Handle Hdf5Writer::whole(const std::string& name, const std::vector<hsize_t>& shape,
+                         NumberType type, const void* values) const {
+  const Handle link(checked(H5Pcreate(H5P_LINK_CREATE)), H5Pclose);
+  checked(H5Pset_create_intermediate_group(link, 1));
+  const Handle space(
+      checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr)), H5Sclose);
+  const hid_t set = checked(
+      H5Dcreate2(file_, name.c_str(), hdf5_type(type), space, link, H5P_DEFAULT, H5P_DEFAULT));
+  Handle owner(set, H5Dclose);
+  checked(H5Dwrite(set, hdf5_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+  return owner;
 }
 
 void Hdf5Writer::commit() {

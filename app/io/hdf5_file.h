@@ -3,7 +3,10 @@
 
 #include <hdf5.h>
 
+#include <cstdint>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/io/atomic_file.h"
@@ -18,14 +21,30 @@ class Handle {
   ~Handle() {
     if (id_ >= 0) close_(id_);
   }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
   operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor)
 
  private:
   hid_t id_;
   herr_t (*close_)(hid_t);
 };
+
+/// The numbers of a data set: their kind and bytes each.
+enum class NumberType { f8, f4, i8, i2, u1 };
+
+hid_t hdf5_type(NumberType type);
+std::size_t byte_size(NumberType type);
+
+/// Stands for a value that is not known in data sets of integers; NaN does among other numbers.
+template <class Integer>
+inline constexpr Integer kNotKnown = std::is_signed_v<Integer>
+                                         ? std::numeric_limits<Integer>::min()
+                                         : std::numeric_limits<Integer>::max();
 
 /// A new HDF5 file, written aside and put in place by commit(). Throws Failure(bad_file).
 class Hdf5Writer {
@@ -41,12 +60,26 @@ class Hdf5Writer {
   void text(const std::string& name, const std::string& value) const { text(file_, name, value); }
   void text(hid_t object, const std::string& name, const std::string& value) const;
 
+  /// Adds a number as an attribute.
+  void number(hid_t object, const std::string& name, double value) const;
+  void number(hid_t object, const std::string& name, std::int64_t value) const;
+
+  /// Adds `entries` to the file: parameters that are numbers as such, the rest as text.
+  void about(const TextEntries& entries) const;
+
+  /// Adds a data set as a whole, in groups that are made where they are missing, and returns it.
+  /// `values` has as many numbers as `shape` says.
+  Handle whole(const std::string& name, const std::vector<hsize_t>& shape, NumberType type,
+               const void* values) const;
+
   void commit();
 
   /// `result` as it is; throws when it says that HDF5 failed.
   hid_t checked(hid_t result) const;
 
  private:
+  void add_number(hid_t object, const std::string& name, hid_t type, const void* value) const;
+
   std::string path_;
   AtomicFile target_;
   hid_t file_;
@@ -57,7 +90,8 @@ class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::string& path);
 
-  /// All text attributes of the file.
+  /// All attributes of the file that are text or one number; numbers as text that reads back to
+  /// them.
   TextEntries text() const;
 
   /// Whether the file has a data set of that name.

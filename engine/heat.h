@@ -21,10 +21,11 @@
 
 namespace pupflow {
 
-/// T_b after one step of `params.dt`, by `params.heat`. `exposed` is A. `contact_mean` is the mean
+/// T_b after one step of `params.dt`, by `params.heat`. `exposed` is A, `heating` is added to G. `contact_mean` is the mean
 /// T_c of the touching afferents and matters only where exposed < 1 and k2 > 0. Rates may overflow:
 /// the result is finite wherever the exact value of the step is.
-double heat_step(const Params& params, double tb, double exposed, double contact_mean);
+double heat_step(const Params& params, double tb, double exposed, double contact_mean,
+                 double heating = 0);
 
 /// T_b of one pup after this step goes to `next`, since all pups change at once. Without
 /// `with_mean` the mean of T_c is not computed; it may be false where k2 = 0 or there is one pup.

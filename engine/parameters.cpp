@@ -154,6 +154,7 @@ std::vector<Problem> check(const Params& params) {
                                   "the pups"});
   }
   if (params.refinement == Refinement::consistent) check_refinement(params, problems);
+  if (problems.empty()) problems = check_schedule(params);
   return problems;
 }
 

@@ -46,15 +46,17 @@ Verdict decide_turn(const Params& p) {
   return {true, "contacts turn the pups"};
 }
 
-Verdict decide_steering(const Params& p) {
+Verdict decide_steering(const Params& p, ActionKinds actions = {}) {
   if (p.pups == 0) return {false, "there is no pup"};
+  if (actions.turn) return {true, "a pup is turned"};
   if (p.drive == 0) return {false, "drive = 0: the direction of travel moves nothing"};
   if (p.heading == Heading::body) return {true, "the direction of travel follows the body axis"};
   return decide_turn(p);  // a course that nothing turns stays as it is
 }
 
-Verdict decide_heat(const Params& p) {
+Verdict decide_heat(const Params& p, ActionKinds actions = {}) {
   if (p.pups == 0) return {false, "there is no pup"};
+  if (actions.heat) return {true, "a pup is heated"};
   if (p.air_conductance == 0 && p.contact_conductance == 0 && p.thermogenesis == 0)
     return {false, "k1 = k2 = g = 0: body temperatures never change"};
   return {true, "body temperatures change"};
@@ -88,16 +90,16 @@ Verdict decide_quadratic(const Params& p) {
 }
 
 /// Whether the motion or the heat of the litter needs `stage`.
-Verdict decide(Stage stage, const Params& p) {
+Verdict decide(Stage stage, const Params& p, ActionKinds actions) {
   switch (stage) {
     case Stage::boundary:
       return decide_boundary(p);
     case Stage::contact:
       return decide_contact(p);
     case Stage::steering:
-      return decide_steering(p);
+      return decide_steering(p, actions);
     case Stage::heat:
-      return decide_heat(p);
+      return decide_heat(p, actions);
     case Stage::predict:
       return decide_predict(p);
     case Stage::shape_match:
@@ -113,8 +115,8 @@ Verdict decide_record(bool observed) {
 }
 
 /// Whether a step needs `stage`: for the litter, or for what an observer reads of it.
-Verdict decide(Stage stage, const Params& p, PartSet observed) {
-  const Verdict verdict = decide(stage, p);
+Verdict decide(Stage stage, const Params& p, PartSet observed, ActionKinds actions) {
+  const Verdict verdict = decide(stage, p, actions);
   if (verdict.needed || p.pups == 0) return verdict;
   const bool records =
       (stage == Stage::steering && observed.has(Part::sides)) ||
@@ -136,7 +138,7 @@ Verdict decide_readers(bool heat, bool steering, bool observer) {
 }
 
 /// Whether `part` is needed in a step that has its stage.
-Verdict decide(Part part, const Params& p, PartSet observed) {
+Verdict decide(Part part, const Params& p, PartSet observed, ActionKinds actions) {
   const bool heat = decide_heat(p).needed;
   const bool turn = decide_steering(p).needed && decide_turn(p).needed;
   const bool sides = observed.has(Part::sides);
@@ -150,7 +152,7 @@ Verdict decide(Part part, const Params& p, PartSet observed) {
     case Part::turn:
       return decide_turn(p);
     case Part::direction:
-      return decide_steering(p);
+      return decide_steering(p, actions);
     case Part::mean_temperature:
       return decide_mean_temperature(p);
     case Part::rotation:
@@ -166,9 +168,12 @@ Verdict decide(Part part, const Params& p, PartSet observed) {
   return {true, ""};
 }
 
-void add_parts(Stage stage, const Params& params, PartSet observed, Plan& plan) {
+void add_parts(Stage stage, const Params& params, PartSet observed, ActionKinds actions,
+               Plan& plan) {
   for (const PartRow& row : kParts) {
-    if (row.stage == stage && decide(row.part, params, observed).needed) plan.add(row.part);
+    if (row.stage == stage && decide(row.part, params, observed, actions).needed) {
+      plan.add(row.part);
+    }
   }
 }
 
@@ -185,18 +190,18 @@ std::string_view part_name(Part part) {
 Plan whole_stage(Stage stage, const Params& params, PartSet observed) {
   Plan plan;
   plan.add(stage);
-  add_parts(stage, params, observed, plan);
+  add_parts(stage, params, observed, {}, plan);
   if (stage == Stage::steering) plan.add(Part::direction);  // the reason to need the stage
   return plan;
 }
 
-Plan make_plan(const Params& params, PartSet observed) {
+Plan make_plan(const Params& params, PartSet observed, ActionKinds actions) {
   Plan plan;
   for (int i = 0; i < kStageCount; ++i) {
     const auto stage = static_cast<Stage>(i);
-    if (!decide(stage, params, observed).needed) continue;
+    if (!decide(stage, params, observed, actions).needed) continue;
     plan.add(stage);
-    add_parts(stage, params, observed, plan);
+    add_parts(stage, params, observed, actions, plan);
   }
   return plan;
 }
@@ -219,12 +224,12 @@ std::vector<Decision> explain_plan(const Params& params, PartSet observed) {
   std::vector<Decision> decisions;
   for (int i = 0; i < kStageCount; ++i) {
     const auto stage = static_cast<Stage>(i);
-    const Verdict verdict = decide(stage, params, observed);
+    const Verdict verdict = decide(stage, params, observed, {});
     decisions.push_back({stage, {}, verdict.needed, verdict.reason});
     if (!verdict.needed) continue;
     for (const PartRow& row : kParts) {
       if (row.stage != stage) continue;
-      const Verdict part = decide(row.part, params, observed);
+      const Verdict part = decide(row.part, params, observed, {});
       decisions.push_back({stage, row.part, part.needed, part.reason});
     }
   }

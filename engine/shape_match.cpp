@@ -76,6 +76,9 @@ void predict(const Params& params, State<Real>& state, int pup) {
     acceleration[0] = params.drive * direction.cos;
     acceleration[1] = params.drive * direction.sin;
   }
+  if (!state.actions.empty()) {
+    for (int axis = 0; axis < 3; ++axis) acceleration[axis] += state.actions[pup].force[axis];
+  }
   for (int axis = 0; axis < 3; ++axis) {
     state.kernels->predict(static_cast<Real>(params.dt),
                            static_cast<Real>(params.dt * acceleration[axis]), state.points,

@@ -82,7 +82,7 @@ void pull_to_goals(const Params& params, const StepBody& body, bool quadratic,
                    const Cloud<Real>& cloud, const BodyFit& fit, const ModeMatrix& goal,
                    State<Real>& state, int pup);
 
-/// v <- v + h f, x <- x + h v for one pup.
+/// v <- v + h f, x <- x + h v for one pup; f is gravity, drive and the force that acts on it.
 template <class Real>
 void predict(const Params& params, State<Real>& state, int pup);
 

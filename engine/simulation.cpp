@@ -31,7 +31,8 @@ class Simulation::Model {
   virtual std::vector<double>& tb() = 0;
   virtual std::vector<double>& heading() = 0;
   virtual const Warnings& warnings() const = 0;
-  virtual void set_by_hand() = 0;  // parameters or points were: warnings judge from here on
+  virtual void judge_anew() = 0;  // parameters or pups were set: warnings judge from here on
+  virtual std::vector<Action>& actions() = 0;  // of the next step; empty: none
   virtual std::int64_t step() const = 0;
   virtual Clock& clock() = 0;
   virtual std::uint64_t hash() const = 0;
@@ -39,16 +40,56 @@ class Simulation::Model {
   virtual void set_threads(int threads) = 0;
 
   /// Makes the plan anew, after a change of what it is made from.
-  void replan() { plan = joined(make_plan(params, observed), forced); }
+  void replan() {
+    kinds = {};
+    for (const Action& action : actions()) {
+      kinds.force |= action.force != std::array<double, 3>{};
+      kinds.heat |= action.heat != 0;
+      kinds.turn |= action.turn.has_value();
+    }
+    plan = joined(make_plan(params, observed, kinds), forced);
+  }
 
-  Params params;
+  /// Parameters for the next step.
+  void take(const Params& next) {
+    if (next.dt != params.dt) clock() = {step(), clock().at(step(), params.dt)};
+    const bool other_motion =
+        next.dt != params.dt || next.gravity != params.gravity || next.drive != params.drive;
+    params = next;
+    if (other_motion) judge_anew();
+  }
+
+  /// What the schedule and the caller want of the next step. To be called when `next_change` is
+  /// reached.
+  void take_changes() {
+    Params next = params;
+    recipe.schedule.apply(recipe, step(), next);
+    if (next != params) take(next);
+    actions() = recipe.schedule.actions(step(), params.pups);
+    if (!imposed.empty()) {
+      actions().resize(imposed.size());
+      for (std::size_t pup = 0; pup < imposed.size(); ++pup) actions()[pup] += imposed[pup];
+    }
+    next_change = recipe.schedule.next_change(step());
+    replan();
+  }
+
+  void edit() {
+    if (!edited) edited = step();
+  }
+
+  Params params, recipe;
+  ActionKinds kinds;             // of the actions in the next step
+  std::int64_t next_change = 0;  // the number of steps done at which take_changes is due
+  std::vector<Action> imposed;   // by set_action, one per pup; empty: none
+  std::optional<std::int64_t> edited;
   Plan plan, forced;
   PartSet observed = kContactRecords;
   Status status;
   StepCounters counters;
 
  protected:
-  explicit Model(const Params& p) : params(p) { replan(); }
+  explicit Model(const Params& p) : params(p), recipe(p) { params.schedule = {}; }
   Model(const Model&) = default;
 };
 
@@ -61,6 +102,7 @@ class Simulation::LitterModel final : public Simulation::Model {
     cloud_ = std::make_shared<const Cloud<Real>>(make_cloud<Real>(rest));
     lay_out(p, rest, state_);
     state_.recorded = observed;
+    replan();
   }
 
   std::unique_ptr<Model> clone() const override { return std::make_unique<LitterModel>(*this); }
@@ -71,12 +113,14 @@ class Simulation::LitterModel final : public Simulation::Model {
       if (!found.ok()) return found;
     }
     placed_.clear();
-    if (!watched_) watch_.begin(params, state_);
-    watched_ = true;
+    if (state_.step >= next_change) take_changes();
+    // A pup that somebody pushes may go where no pup can go by itself.
+    if (!watched_ && !kinds.force) watch_.begin(params, state_);
+    watched_ = !kinds.force;
     const Status result =
         step_litter(params, plan, *cloud_, state_, workspace_, counters, listener);
     state_.recorded = plan.parts | observed;
-    if (result.ok()) watch_.look(params, state_);
+    if (result.ok() && watched_) watch_.look(params, state_);
     return result;
   }
 
@@ -87,6 +131,7 @@ class Simulation::LitterModel final : public Simulation::Model {
       return PointVectors(x.data(), y.data(), z.data(), state_.pups, state_.points, state_.stride);
     };
     return {.params = params,
+            .recipe = recipe,
             .pups = state_.pups,
             .points = state_.points,
             .positions = vectors(state_.x, state_.y, state_.z),
@@ -136,13 +181,14 @@ class Simulation::LitterModel final : public Simulation::Model {
     }
     update_bounds(state_, pup);
     placed_.push_back(pup);
-    set_by_hand();
+    judge_anew();
   }
 
   std::vector<double>& tb() override { return state_.tb; }
   std::vector<double>& heading() override { return state_.heading; }
   const Warnings& warnings() const override { return watch_.warnings(); }
-  void set_by_hand() override { watched_ = false; }
+  void judge_anew() override { watched_ = false; }
+  std::vector<Action>& actions() override { return state_.actions; }
   std::int64_t step() const override { return state_.step; }
   Clock& clock() override { return state_.clock; }
   std::uint64_t hash() const override { return hash_state(state_); }
@@ -162,6 +208,11 @@ class Simulation::LitterModel final : public Simulation::Model {
     state_.recorded = snapshot.recorded;
     state_.step = snapshot.step;
     state_.clock = snapshot.clock;
+    params = params_of_step(snapshot.params, snapshot.step);
+    params.schedule = {};
+    imposed = snapshot.actions;
+    edited = snapshot.edited;
+    replan();
   }
 
  private:
@@ -200,6 +251,7 @@ void require_fitting(const Snapshot& snapshot, int pups, int points) {
   require_size(snapshot.heading.size(), n, "the snapshot's headings");
   require_size(snapshot.exposed.size(), n, "the snapshot's exposures");
   require_size(snapshot.touched.size(), all, "the snapshot's touched pups");
+  if (!snapshot.actions.empty()) require_size(snapshot.actions.size(), n, "the snapshot's actions");
   for (const double tb : snapshot.body_temperature)
     require_finite(tb, "a body temperature of the snapshot");
   for (const double tb : snapshot.felt_tb)
@@ -254,15 +306,68 @@ const Params& Simulation::params() const {
   return model_->params;
 }
 
+const Params& Simulation::recipe() const {
+  return model_->recipe;
+}
+
 void Simulation::set_params(const Params& params) {
-  require_sound(params);
-  if (needs_restart(model_->params, params)) {
+  Params next = params;
+  next.schedule = {};
+  require_sound(next);
+  if (needs_restart(model_->params, next)) {
     throw std::logic_error("these parameters define the litter and need a new simulation");
   }
-  if (params.dt != model_->params.dt) model_->clock() = {steps_done(), time()};
-  model_->params = params;
+  Params recipe = model_->recipe;
+  const std::span<const Parameter> table = parameters();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double value = table[i].get(next);
+    if (table[i].effect == Parameter::Effect::run) table[i].set(recipe, value);
+    if (table[i].effect != Parameter::Effect::next_step) continue;
+    if (value == table[i].get(model_->params)) continue;
+    const bool at_start = steps_done() == 0 && recipe.schedule.next_change(-1) > 0;
+    at_start ? table[i].set(recipe, value) : recipe.schedule.set(steps_done(), i, value);
+  }
+  require_sound(recipe);
+  model_->recipe = std::move(recipe);
+  model_->take(next);
+  model_->next_change = steps_done();
   model_->replan();
-  model_->set_by_hand();
+}
+
+void Simulation::set_schedule(const Schedule& schedule) {
+  Params recipe = model_->recipe;
+  recipe.schedule = {};
+  for (const Change& change : model_->recipe.schedule.changes()) {
+    if (change.step < steps_done()) recipe.schedule.add(change);
+  }
+  for (const Change& change : schedule.changes()) {
+    if (change.step >= steps_done()) recipe.schedule.add(change);
+  }
+  require_sound(recipe);
+  model_->recipe = std::move(recipe);
+  model_->next_change = steps_done();
+}
+
+void Simulation::set_action(int pup, const Action& action) {
+  require_pup(pup, pups());
+  for (const double force : action.force) require_finite(force, "a force on a pup");
+  require_finite(action.heat, "the heat of a pup");
+  require_finite(action.turn.value_or(0), "the turn of a pup");
+  std::vector<Action>& imposed = model_->imposed;
+  if (imposed.empty() && !action.acts()) return;
+  imposed.resize(static_cast<std::size_t>(pups()));
+  imposed[pup] = action;
+  model_->next_change = steps_done();
+  model_->edit();
+}
+
+Action Simulation::action(int pup) const {
+  require_pup(pup, pups());
+  return model_->imposed.empty() ? Action{} : model_->imposed[pup];
+}
+
+std::optional<std::int64_t> Simulation::edited() const {
+  return model_->edited;
 }
 
 void Simulation::set_observed(PartSet parts) {
@@ -329,23 +434,27 @@ void Simulation::set_cloud(int pup, std::span<const double> positions,
   require_size(positions.size(), expected, "the cloud");
   require_size(velocities.size(), expected, "the cloud's velocities");
   model_->set_cloud(pup, positions, velocities);
+  model_->edit();
 }
 
 void Simulation::set_body_temperature(int pup, double value) {
   require_pup(pup, pups());
   model_->tb()[pup] = value;
+  model_->edit();
 }
 
 void Simulation::set_heading(int pup, double radians) {
   require_pup(pup, pups());
   require_finite(radians, "a heading to be set");
   model_->heading()[pup] = wrap_angle(radians);
+  model_->edit();
 }
 
 Snapshot Simulation::snapshot() const {
   const LitterView litter = view();
   Snapshot snapshot;
-  snapshot.params = params();
+  snapshot.params = recipe();
+  snapshot.in_force = params();
   const std::size_t size = std::size_t{3} * litter.pups * litter.points;
   snapshot.positions.resize(size);
   snapshot.velocities.resize(size);
@@ -358,6 +467,8 @@ Snapshot Simulation::snapshot() const {
   snapshot.exposed = copy(litter.exposed);
   snapshot.touched = copy(litter.touched);
   snapshot.touching = copy(litter.touching);
+  snapshot.actions = model_->imposed;
+  snapshot.edited = edited();
   snapshot.step = litter.step;
   snapshot.clock = model_->clock();
   snapshot.recorded = litter.recorded;

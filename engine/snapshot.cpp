@@ -2,13 +2,20 @@
 
 namespace pupflow {
 
+Params params_of_step(const Params& recipe, std::int64_t step) {
+  Params params = recipe;
+  if (step > 0) recipe.schedule.apply(recipe, step - 1, params);
+  return params;
+}
+
 LitterView Snapshot::view() const {
   const int pups = params.pups, points = points_per_pup(params);
   PartSet kept;  // of what the last step recorded a snapshot holds the contacts alone
   for (const Part part : {Part::exposure, Part::owners, Part::pairs}) {
     if (recorded.has(part)) kept.add(part);
   }
-  return {.params = params,
+  return {.params = in_force,
+          .recipe = params,
           .pups = pups,
           .points = points,
           .positions = PointVectors(std::span<const double>(positions), pups, points),
@@ -26,7 +33,7 @@ LitterView Snapshot::view() const {
           .strain = {},
           .touching = touching,
           .step = step,
-          .time = clock.at(step, params.dt),
+          .time = clock.at(step, in_force.dt),
           .recorded = kept};
 }
 

@@ -36,6 +36,8 @@ struct State {
   std::vector<double> heading;  // direction of travel theta, in (-pi, pi]
   std::vector<double> exposed;  // share A of the points without contact
 
+  std::vector<Action> actions;  // what is done to each pup in the next step; empty: nothing
+
   // Results of the contact stage.
   std::vector<int> touched;  // pup of the nearest touching point or -1; element j * points + i
   std::vector<std::uint64_t>
@@ -53,6 +55,9 @@ struct State {
 
   std::int64_t step = 0;
   Clock clock;
+
+  /// What is done to `pup`.
+  Action action(int pup) const { return actions.empty() ? Action{} : actions[pup]; }
 
   std::size_t row(int pup) const { return static_cast<std::size_t>(pup) * stride; }
   std::size_t flat(int pup) const { return static_cast<std::size_t>(pup) * points; }

@@ -127,7 +127,8 @@ Status steer(const Params& params, SteeringParts parts, const Cloud<Real>& cloud
   const bool course = params.heading == Heading::course;
   // A pup without contacts feels T_a on both sides and does not turn.
   const bool turns = parts.turn && state.exposed[pup] < 1;
-  if (course && !turns && !parts.sides) return {};
+  const std::optional<double> imposed = state.action(pup).turn;
+  if (course && !turns && !imposed && !parts.sides) return {};
   const double direction = course ? state.heading[pup] : body_axis(cloud, state, pup);
   double delta = 0;
   if (turns || parts.sides) {
@@ -138,9 +139,10 @@ Status steer(const Params& params, SteeringParts parts, const Cloud<Real>& cloud
     if (parts.sides) {
       state.t_left[pup] = t.left;
       state.t_right[pup] = t.right;
-      state.turn[pup] = felt;
+      state.turn[pup] = imposed.value_or(felt);
     }
   }
+  if (imposed) delta = *imposed;
   if (!parts.direction) return {};
   const double next = direction + (course ? params.dt * delta : delta);
   if (!std::isfinite(next))

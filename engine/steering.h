@@ -12,6 +12,8 @@
 //
 //   theta = psi + turn
 //
+// An action on the pup (schedule.h) may set its turn.
+//
 // Wilson 2017, Methods; docs/model.md, Steering.
 #pragma once
 

@@ -116,6 +116,7 @@ void PointVectors::copy_pup_to(int pup, std::span<double> xyz) const {
 
 void LitterCopy::take(const LitterView& litter, bool velocities) {
   params_ = litter.params;
+  recipe_ = litter.recipe;
   pups_ = litter.pups;
   points_ = litter.points;
   const auto copy = [](auto from, auto& to) { to.assign(from.begin(), from.end()); };
@@ -151,6 +152,7 @@ LitterView LitterCopy::view() const {
       velocities_.empty() ? PointVectors()
                           : PointVectors(std::span<const float>(velocities_), pups_, points_);
   return {.params = params_,
+          .recipe = recipe_,
           .pups = pups_,
           .points = points_,
           .positions = PointVectors(std::span<const float>(positions_), pups_, points_),

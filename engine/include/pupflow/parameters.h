@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pupflow/schedule.h"
+
 namespace pupflow {
 
 // Rules with several readings; docs/model.md has the equations.
@@ -76,6 +78,7 @@ struct Params {
   std::int64_t flow_lag = 1;                 // steps; over which pup flow takes the change of A
   std::int64_t seed = 1;                     // selects the random numbers: same seed, same bits
   Precision precision = Precision::double_;  // arithmetic of the point arrays
+  Schedule schedule;                         // what changes during the run; not in parameters()
 
   friend bool operator==(const Params&, const Params&) = default;
 };
@@ -141,7 +144,7 @@ bool parse_value(const Parameter& parameter, std::string_view text, Params& para
 bool check_value(const Parameter& parameter, double value, Problem& problem);
 
 /// Everything wrong with `params`: values out of range first, then combinations that are not
-/// allowed. Empty when the set is sound.
+/// allowed, then, where there is none of these, its schedule. Empty when the set is sound.
 std::vector<Problem> check(const Params& params);
 
 /// Whether `a` and `b` differ in a parameter of Effect::restart, so that going from one to the

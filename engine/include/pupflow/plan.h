@@ -79,10 +79,16 @@ struct Plan {
   friend bool operator==(const Plan&, const Plan&) = default;
 };
 
-/// The plan for `params`, which must be sound. `observed`: the parts whose results are looked at
+/// Which kinds of actions there are on pups (schedule.h). Heat and turns need stages that the
+/// parameters alone may not need.
+struct ActionKinds {
+  bool force = false, heat = false, turn = false;
+};
+
+/// The plan for `params`, which must be sound, where pups are acted on by `actions`. `observed`: the parts whose results are looked at
 /// after the step (kContactRecords, Part::sides, Part::strain, Part::pose; fields.h says what each field
 /// needs). They change no bit of the litter.
-Plan make_plan(const Params& params, PartSet observed);
+Plan make_plan(const Params& params, PartSet observed, ActionKinds actions = {});
 
 /// What either plan has, and what that reads: turns, sides and mean temperatures read whom each
 /// point touches. Parts of stages that neither has are left out.

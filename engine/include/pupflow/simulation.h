@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,11 +36,32 @@ class Simulation {
   Simulation& operator=(Simulation&& other) noexcept;
   ~Simulation();
 
+  /// The parameters of the last step, or those set since.
   const Params& params() const;
 
-  /// Parameters for the steps to come. Throws InvalidParams when they are unsound, and
-  /// std::logic_error when `needs_restart(this->params(), params)`: those define the litter.
+  /// The parameters of the start with the schedule, to which set_params adds: a simulation made from
+  /// them repeats this one bit for bit, unless it was edited().
+  const Params& recipe() const;
+
+  /// Parameters for the steps to come; the schedule may change them later. Each one that is new
+  /// becomes a change of the recipe at this step. `params.schedule` is not looked at. Throws
+  /// InvalidParams when they are unsound, and std::logic_error when
+  /// `needs_restart(this->params(), params)`: those define the litter.
   void set_params(const Params& params);
+
+  /// What changes from here on, in place of what was to: of `schedule` the changes that begin at
+  /// this step or later. Throws InvalidParams when the result is unsound.
+  void set_schedule(const Schedule& schedule);
+
+  /// What is done to a pup in the steps to come, beside what the schedule does, until it is set
+  /// again. Not part of the recipe. Throws std::out_of_range for a pup that is not there,
+  /// std::invalid_argument for a number that is not finite.
+  void set_action(int pup, const Action& action);
+  Action action(int pup) const;
+
+  /// The steps done when pups were first set by hand (set_cloud, set_body_temperature, set_heading,
+  /// set_action), here or in the snapshot that this was made from; none where the recipe tells all.
+  std::optional<std::int64_t> edited() const;
 
   /// What is looked at after the steps to come: parts of the step whose results only an observer
   /// reads (fields.h says what each field needs). kContactRecords at first. A step records of the

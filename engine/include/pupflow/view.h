@@ -78,7 +78,8 @@ class PointVectors {
 /// What the last step found is known as far as it was observed (Simulation::set_observed):
 /// `recorded` says which parts of the step computed it.
 struct LitterView {
-  const Params& params;
+  const Params& params;      // those of the last step
+  const Params& recipe;      // those of the start, with the schedule: what makes the litter again
   int pups = 0, points = 0;  // points per pup
   PointVectors positions;    // arena units
   PointVectors velocities;   // arena units per second; may be empty in a copy
@@ -119,7 +120,7 @@ class LitterCopy {
   LitterView view() const;
 
  private:
-  Params params_;
+  Params params_, recipe_;
   int pups_ = 0, points_ = 0;
   std::vector<float> positions_, velocities_, strain_;
   std::vector<double> tb_, felt_tb_, heading_, exposed_, t_left_, t_right_, turn_;

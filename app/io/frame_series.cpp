@@ -83,6 +83,9 @@ void FrameSeries::fill(std::span<const double> values) {
       case NumberType::i8:
         convert<std::int64_t>(from, row(item));
         break;
+      case NumberType::i4:
+        convert<std::int32_t>(from, row(item));
+        break;
       case NumberType::i2:
         convert<std::int16_t>(from, row(item));
         break;

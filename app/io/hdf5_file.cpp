@@ -1,6 +1,8 @@
 #include "app/io/hdf5_file.h"
 
+#include <algorithm>
 #include <optional>
+#include <span>
 
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
@@ -79,28 +81,39 @@ herr_t add_attribute(hid_t file, const char* name, const H5A_info_t*, void* data
 }
 
 struct TypeRow {
+  std::string_view name;
   NumberType type;
   hid_t hdf5;
   std::size_t size;
 };
 
-const TypeRow& row_of(NumberType type) {
-  static const TypeRow rows[] = {{NumberType::f8, H5T_NATIVE_DOUBLE, 8},
-                                 {NumberType::f4, H5T_NATIVE_FLOAT, 4},
-                                 {NumberType::i8, H5T_NATIVE_INT64, 8},
-                                 {NumberType::i2, H5T_NATIVE_INT16, 2},
-                                 {NumberType::u1, H5T_NATIVE_UINT8, 1}};
-  return rows[static_cast<std::size_t>(type)];
+std::span<const TypeRow> type_rows() {
+  static const TypeRow rows[] = {
+      {"f8", NumberType::f8, H5T_NATIVE_DOUBLE, 8}, {"f4", NumberType::f4, H5T_NATIVE_FLOAT, 4},
+      {"i8", NumberType::i8, H5T_NATIVE_INT64, 8},  {"i4", NumberType::i4, H5T_NATIVE_INT32, 4},
+      {"i2", NumberType::i2, H5T_NATIVE_INT16, 2},  {"u1", NumberType::u1, H5T_NATIVE_UINT8, 1}};
+  return rows;
 }
 
 }  // namespace
 
 hid_t hdf5_type(NumberType type) {
-  return row_of(type).hdf5;
+  return type_rows()[static_cast<std::size_t>(type)].hdf5;
 }
 
 std::size_t byte_size(NumberType type) {
-  return row_of(type).size;
+  return type_rows()[static_cast<std::size_t>(type)].size;
+}
+
+std::string_view type_name(NumberType type) {
+  return type_rows()[static_cast<std::size_t>(type)].name;
+}
+
+std::optional<NumberType> number_type(std::string_view name) {
+  for (const TypeRow& row : type_rows()) {
+    if (row.name == name) return row.type;
+  }
+  return std::nullopt;
 }
 
 Hdf5Writer::Hdf5Writer(const std::string& path, bool force)
@@ -208,6 +221,82 @@ std::vector<T> Hdf5Reader::read(const std::string& name, hid_t type) const {
     throw Failure(ExitCode::bad_file, path_ + ": cannot read " + quoted(name) + " in it");
   }
   return values;
+}
+
+namespace {
+
+std::string text_attribute(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) return {};
+  TextEntries entries;
+  add_attribute(object, name, nullptr, &entries);
+  return entries.empty() ? std::string() : entries.front().second;
+}
+
+std::string type_of_set(hid_t set) {
+  const Handle type(H5Dget_type(set), H5Tclose);
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind != H5T_INTEGER && kind != H5T_FLOAT) return {};
+  const char letter = kind == H5T_FLOAT ? 'f' : H5Tget_sign(type) == H5T_SGN_NONE ? 'u' : 'i';
+  return letter + std::to_string(H5Tget_size(type));
+}
+
+std::vector<hsize_t> shape_of(hid_t set) {
+  const Handle space(H5Dget_space(set), H5Sclose);
+  std::vector<hsize_t> shape(std::max(H5Sget_simple_extent_ndims(space), 0));
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  return shape;
+}
+
+/// Adds what `name` is to `data`, a vector of SetInfo, if it is a data set.
+herr_t add_set(hid_t file, const char* name, const H5O_info_t* info, void* data) {
+  if (info->type != H5O_TYPE_DATASET) return 0;
+  const Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+  if (set < 0) return -1;
+  static_cast<std::vector<SetInfo>*>(data)->push_back({name, shape_of(set), type_of_set(set),
+                                                       text_attribute(set, "units"),
+                                                       text_attribute(set, "description")});
+  return 0;
+}
+
+}  // namespace
+
+std::vector<SetInfo> Hdf5Reader::sets() const {
+  std::vector<SetInfo> sets;
+  if (H5Ovisit2(file_, H5_INDEX_NAME, H5_ITER_INC, add_set, &sets, H5O_INFO_BASIC) < 0) {
+    throw Failure(ExitCode::bad_file, path_ + ": cannot read its data sets");
+  }
+  return sets;
+}
+
+void Hdf5Reader::part(const std::string& name, const std::vector<hsize_t>& first,
+                      const std::vector<hsize_t>& count, NumberType type, void* values) const {
+  const Handle set(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle all(set < 0 ? hid_t{-1} : H5Dget_space(set), H5Sclose);
+  const bool fits = all >= 0 && H5Sget_simple_extent_ndims(all) == static_cast<int>(first.size());
+  const Handle box(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+                   H5Sclose);
+  if (fits &&
+      H5Sselect_hyperslab(all, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr) >= 0 &&
+      H5Dread(set, hdf5_type(type), box, all, H5P_DEFAULT, values) >= 0) {
+    return;
+  }
+  throw Failure(ExitCode::bad_file, path_ + ": cannot read " + quoted(name) + " in it");
+}
+
+bool Hdf5Reader::is_filled(const std::string& name) const {
+  const Handle set(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle properties(H5Dget_create_plist(set), H5Pclose);
+  const std::vector<hsize_t> shape = shape_of(set);
+  std::vector<hsize_t> chunk(shape.size());
+  hsize_t there = 0, needed = 1;
+  const int rank = static_cast<int>(shape.size());
+  const Handle all(H5Dget_space(set), H5Sclose);
+  if (H5Pget_chunk(properties, rank, chunk.data()) != rank ||
+      H5Dget_num_chunks(set, all, &there) < 0) {
+    return false;
+  }
+  for (std::size_t i = 0; i < shape.size(); ++i) needed *= (shape[i] + chunk[i] - 1) / chunk[i];
+  return there == needed;
 }
 
 std::vector<double> Hdf5Reader::numbers(const std::string& name) const {

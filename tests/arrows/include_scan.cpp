@@ -32,6 +32,7 @@ const std::vector<Layer> kLayers = {
     {kPublic, {}},
     {"engine", {kPublic}},
     {"app/io", {kPublic}},
+    {"app/export", {kPublic, "app/io"}},
     {"app/study", {kPublic, "app/io"}},
     {"app/report", {kPublic, "engine", "app/io", "app/study"}},
     {"app/mpi", {kPublic, "app/io", "app/study/executor.h"}},
@@ -42,7 +43,7 @@ const std::vector<Layer> kLayers = {
     {"app/window", {kPublic, "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
     {"app/graphics", {"app/context", "app/pictures", "app/window"}},
     {"app/cli",
-     {kPublic, "app/io", "app/study", "app/report", "app/view", "app/mpi/interface.h",
+     {kPublic, "app/io", "app/export", "app/study", "app/report", "app/view", "app/mpi/interface.h",
       "app/graphics/graphics.h", "app/pictures/look.h"}},
     {"bench", {kPublic, "engine", "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
 };

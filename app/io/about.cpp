@@ -13,13 +13,6 @@
 namespace pupflow::io {
 namespace {
 
-std::string value_of(const TextEntries& entries, std::string_view name) {
-  for (const auto& [key, value] : entries) {
-    if (key == name) return value;
-  }
-  return {};
-}
-
 /// What entries tell: parameters, software, and the rest as facts.
 About about_entries(const TextEntries& entries, const std::string& path) {
   About about;

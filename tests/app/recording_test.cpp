@@ -149,9 +149,7 @@ TEST(Recording, WhatACheckpointDoesNotKeepIsMarkedAsNotKnown) {
     recording.add(s);
     recording.commit("");
   }
-  const RecordedRun run(scratch.path("r.h5"));
   double warmth = 0, side = 0, touched = 0;
-  run.read(*run.find("t_left"), 0, 1, 0, NumberType::f8, std::vector<double>(1).data());
   const Hdf5Reader file(scratch.path("r.h5"));
   file.part("pup/t_left", {0, 0}, {1, 1}, NumberType::f8, &warmth);
   file.part("afferent/side", {0, 0, 0}, {1, 1, 1}, NumberType::f8, &side);

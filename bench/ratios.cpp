@@ -19,10 +19,10 @@ struct Section {
   void (*measure)(int rounds, Verdicts& verdicts);
 };
 
-// Memory is measured in children that begin as big as their parent: scaling goes first.
-const std::vector<Section> kSections = {{"scaling", scaling}, {"whole", whole_steps},
-                                        {"stages", stages},   {"threads", threads},
-                                        {"start", start_up},  {"pictures", pictures}};
+// Memory is measured in children that begin as big as their parent: these sections go first.
+const std::vector<Section> kSections = {
+    {"recording", recording}, {"scaling", scaling}, {"whole", whole_steps}, {"stages", stages},
+    {"threads", threads},     {"start", start_up},  {"pictures", pictures}};
 
 struct Options {
   int rounds = 11;

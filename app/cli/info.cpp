@@ -75,7 +75,7 @@ std::string changed_text(const Params& params) {
 
 std::string shape_text(const io::SetInfo& set) {
   if (set.shape.empty()) return "1";
-  return io::joined(set.shape, " x ", [](hsize_t size) { return std::to_string(size); });
+  return io::joined(set.shape, " x ", [](std::uint64_t size) { return std::to_string(size); });
 }
 
 std::string text(const std::string& path, const io::About& about) {
@@ -115,7 +115,7 @@ std::string json(const std::string& path, const io::About& about) {
   std::vector<std::string> sets;
   for (const io::SetInfo& set : about.sets) {
     const std::string shape =
-        io::joined(set.shape, ", ", [](hsize_t size) { return std::to_string(size); });
+        io::joined(set.shape, ", ", [](std::uint64_t size) { return std::to_string(size); });
     sets.push_back(json_object({{"name", io::json_string(set.name)},
                                 {"shape", "[" + shape + "]"},
                                 {"type", io::json_string(set.type)},

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/io/hdf5_file.h"
+#include "app/io/data_set.h"
 
 namespace pupflow::exporting {
 

@@ -7,6 +7,7 @@
 #include "app/export/export.h"
 #include "app/export/field_stream.h"
 #include "app/io/failure.h"
+#include "app/io/hdf5_file.h"
 #include "app/io/text.h"
 #include "pupflow/fields.h"
 

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "app/io/csv.h"
-#include "app/io/failure.h"
+#include "app/io/hdf5_file.h"
 #include "app/io/provenance.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
@@ -38,11 +38,11 @@ About about_hdf5(const std::string& path) {
   About about = about_entries(file.text(), path);
   about.sets = file.sets();
   for (const SetInfo& set : about.sets) {
-    if (set.name == "clock" && set.shape == std::vector<hsize_t>{3}) {
+    if (set.name == "clock" && set.shape == std::vector<std::uint64_t>{3}) {
       about.facts.emplace_back("step", number_text(file.numbers("clock")[0]));
     }
     if (set.name != "step" || set.shape.size() != 1) continue;
-    const hsize_t frames = set.shape[0];
+    const std::uint64_t frames = set.shape[0];
     about.facts.emplace_back("frames", std::to_string(frames));
     if (frames == 0 || !file.has("time")) continue;
     for (const char* name : {"step", "time"}) {
@@ -92,7 +92,7 @@ About about_csv(const std::string& path) {
   About about = about_entries(read_csv_header(path), path);
   std::ifstream file(path);
   std::string line, columns;
-  hsize_t rows = 0;
+  std::uint64_t rows = 0;
   while (std::getline(file, line)) {
     if (line.starts_with("# ended early: ") || line.starts_with("# warning: ")) {
       const std::size_t colon = line.find(": ");

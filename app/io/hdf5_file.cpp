@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <span>
 
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
@@ -80,40 +79,24 @@ herr_t add_attribute(hid_t file, const char* name, const H5A_info_t*, void* data
   return 0;
 }
 
-struct TypeRow {
-  std::string_view name;
-  NumberType type;
-  hid_t hdf5;
-  std::size_t size;
-};
-
-std::span<const TypeRow> type_rows() {
-  static const TypeRow rows[] = {
-      {"f8", NumberType::f8, H5T_NATIVE_DOUBLE, 8}, {"f4", NumberType::f4, H5T_NATIVE_FLOAT, 4},
-      {"i8", NumberType::i8, H5T_NATIVE_INT64, 8},  {"i4", NumberType::i4, H5T_NATIVE_INT32, 4},
-      {"i2", NumberType::i2, H5T_NATIVE_INT16, 2},  {"u1", NumberType::u1, H5T_NATIVE_UINT8, 1}};
-  return rows;
-}
-
 }  // namespace
 
 hid_t hdf5_type(NumberType type) {
-  return type_rows()[static_cast<std::size_t>(type)].hdf5;
-}
-
-std::size_t byte_size(NumberType type) {
-  return type_rows()[static_cast<std::size_t>(type)].size;
-}
-
-std::string_view type_name(NumberType type) {
-  return type_rows()[static_cast<std::size_t>(type)].name;
-}
-
-std::optional<NumberType> number_type(std::string_view name) {
-  for (const TypeRow& row : type_rows()) {
-    if (row.name == name) return row.type;
+  switch (type) {
+    case NumberType::f8:
+      return H5T_NATIVE_DOUBLE;
+    case NumberType::f4:
+      return H5T_NATIVE_FLOAT;
+    case NumberType::i8:
+      return H5T_NATIVE_INT64;
+    case NumberType::i4:
+      return H5T_NATIVE_INT32;
+    case NumberType::i2:
+      return H5T_NATIVE_INT16;
+    case NumberType::u1:
+      return H5T_NATIVE_UINT8;
   }
-  return std::nullopt;
+  return -1;
 }
 
 Hdf5Writer::Hdf5Writer(const std::string& path, bool force)
@@ -252,7 +235,10 @@ herr_t add_set(hid_t file, const char* name, const H5O_info_t* info, void* data)
   if (info->type != H5O_TYPE_DATASET) return 0;
   const Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
   if (set < 0) return -1;
-  static_cast<std::vector<SetInfo>*>(data)->push_back({name, shape_of(set), type_of_set(set),
+  const std::vector<hsize_t> shape = shape_of(set);
+  static_cast<std::vector<SetInfo>*>(data)->push_back({name,
+                                                       {shape.begin(), shape.end()},
+                                                       type_of_set(set),
                                                        text_attribute(set, "units"),
                                                        text_attribute(set, "description")});
   return 0;
@@ -268,15 +254,16 @@ std::vector<SetInfo> Hdf5Reader::sets() const {
   return sets;
 }
 
-void Hdf5Reader::part(const std::string& name, const std::vector<hsize_t>& first,
-                      const std::vector<hsize_t>& count, NumberType type, void* values) const {
+void Hdf5Reader::part(const std::string& name, const std::vector<std::uint64_t>& first,
+                      const std::vector<std::uint64_t>& count, NumberType type,
+                      void* values) const {
+  const std::vector<hsize_t> begin(first.begin(), first.end()), size(count.begin(), count.end());
   const Handle set(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
   const Handle all(set < 0 ? hid_t{-1} : H5Dget_space(set), H5Sclose);
   const bool fits = all >= 0 && H5Sget_simple_extent_ndims(all) == static_cast<int>(first.size());
-  const Handle box(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
-                   H5Sclose);
+  const Handle box(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
   if (fits &&
-      H5Sselect_hyperslab(all, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr) >= 0 &&
+      H5Sselect_hyperslab(all, H5S_SELECT_SET, begin.data(), nullptr, size.data(), nullptr) >= 0 &&
       H5Dread(set, hdf5_type(type), box, all, H5P_DEFAULT, values) >= 0) {
     return;
   }

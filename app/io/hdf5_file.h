@@ -4,14 +4,12 @@
 #include <hdf5.h>
 
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "app/io/atomic_file.h"
+#include "app/io/data_set.h"
 #include "app/io/png.h"
 
 namespace pupflow::io {
@@ -36,21 +34,8 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-/// The numbers of a data set: their kind and bytes each.
-enum class NumberType { f8, f4, i8, i4, i2, u1 };
-
+/// HDF5's name for such numbers in memory.
 hid_t hdf5_type(NumberType type);
-std::size_t byte_size(NumberType type);
-
-/// What it is called, such as "f8", and the type of that name; nothing for others.
-std::string_view type_name(NumberType type);
-std::optional<NumberType> number_type(std::string_view name);
-
-/// Stands for a value that is not known in data sets of integers; NaN does among other numbers.
-template <class Integer>
-inline constexpr Integer kNotKnown = std::is_signed_v<Integer>
-                                         ? std::numeric_limits<Integer>::min()
-                                         : std::numeric_limits<Integer>::max();
 
 /// A new HDF5 file, written aside and put in place by commit(). Throws Failure(bad_file).
 class Hdf5Writer {
@@ -91,14 +76,6 @@ class Hdf5Writer {
   hid_t file_;
 };
 
-/// A data set as a file has it.
-struct SetInfo {
-  std::string name;            // with its groups: "pup/tb"
-  std::vector<hsize_t> shape;  // frames first where it grows
-  std::string type;            // "f8", "f4", "i8", ...: kind and bytes; empty for others
-  std::string units, description;
-};
-
 /// An HDF5 file of this program, open for reading. Throws Failure(bad_file) when it cannot be read.
 class Hdf5Reader {
  public:
@@ -120,8 +97,8 @@ class Hdf5Reader {
 
   /// The numbers of a part of a data set, converted to `type`: a box that begins at `first` and has
   /// `count` entries along each dimension. `values` has room for them.
-  void part(const std::string& name, const std::vector<hsize_t>& first,
-            const std::vector<hsize_t>& count, NumberType type, void* values) const;
+  void part(const std::string& name, const std::vector<std::uint64_t>& first,
+            const std::vector<std::uint64_t>& count, NumberType type, void* values) const;
 
   /// Whether the chunks of a data set that grows are all there, so that its size can be believed.
   bool is_filled(const std::string& name) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/io/failure.h"
+#include "app/io/hdf5_file.h"
 #include "app/io/provenance.h"
 #include "app/io/recording.h"
 #include "app/io/text.h"
@@ -10,7 +11,7 @@
 namespace pupflow::io {
 namespace {
 
-constexpr hsize_t kMostFrames = hsize_t{1} << 32;
+constexpr std::uint64_t kMostFrames = std::uint64_t{1} << 32;
 
 std::string value_of(const TextEntries& entries, std::string_view name) {
   for (const auto& [key, value] : entries) {
@@ -34,7 +35,8 @@ bool is_field(const SetInfo& set) {
 
 }  // namespace
 
-RecordedRun::RecordedRun(const std::string& path) : path_(path), file_(path), about_(file_.text()) {
+RecordedRun::RecordedRun(const std::string& path)
+    : path_(path), file_(std::make_unique<Hdf5Reader>(path)), about_(file_->text()) {
   if (value_of(about_, "kind") != "recording") {
     refuse(path + ": is no recording; 'pupflow run --record FILE' writes one");
   }
@@ -45,10 +47,10 @@ RecordedRun::RecordedRun(const std::string& path) : path_(path), file_(path), ab
            " (make it again with 'pupflow run --like')");
   }
   params_ = params_from(about_, path);
-  for (const SetInfo& set : file_.sets()) {
+  for (const SetInfo& set : file_->sets()) {
     if (is_field(set)) fields_.push_back(set);
     if (set.name != "step") continue;
-    if (set.shape.size() != 1 || set.shape[0] > kMostFrames || !file_.is_filled("step")) {
+    if (set.shape.size() != 1 || set.shape[0] > kMostFrames || !file_->is_filled("step")) {
       damaged("the size of 'step' cannot be right");
     }
     steps_.resize(set.shape[0]);
@@ -56,20 +58,22 @@ RecordedRun::RecordedRun(const std::string& path) : path_(path), file_(path), ab
   check_sizes();
   times_.resize(frames());
   if (frames() == 0) return;
-  file_.part("step", {0}, {frames()}, NumberType::i8, steps_.data());
-  file_.part("time", {0}, {frames()}, NumberType::f8, times_.data());
+  file_->part("step", {0}, {frames()}, NumberType::i8, steps_.data());
+  file_->part("time", {0}, {frames()}, NumberType::f8, times_.data());
 }
+
+RecordedRun::~RecordedRun() = default;
 
 void RecordedRun::damaged(const std::string& what) const {
   throw Failure(ExitCode::bad_file, path_ + ": is damaged: " + what);
 }
 
 void RecordedRun::check_sizes() const {
-  const auto pups = static_cast<hsize_t>(params_.pups);
-  const auto points = static_cast<hsize_t>(points_per_pup(params_));
+  const auto pups = static_cast<std::uint64_t>(params_.pups);
+  const auto points = static_cast<std::uint64_t>(points_per_pup(params_));
   for (const SetInfo& set : fields_) {
     const std::string group = group_of(set);
-    std::vector<hsize_t> expected{frames(), pups};
+    std::vector<std::uint64_t> expected{frames(), pups};
     if (group != "pup") expected.push_back(points);
     if (group == "point") expected.push_back(3);
     if (set.shape != expected || !number_type(set.type)) {
@@ -86,22 +90,22 @@ const SetInfo* RecordedRun::find(const std::string& name) const {
 
 void RecordedRun::read(const SetInfo& field, std::size_t first, std::size_t count,
                        std::optional<int> pup, NumberType type, void* values) const {
-  std::vector<hsize_t> begin(field.shape.size(), 0), size = field.shape;
+  std::vector<std::uint64_t> begin(field.shape.size(), 0), size = field.shape;
   begin[0] = first;
   size[0] = count;
   if (pup) {
-    begin[1] = static_cast<hsize_t>(*pup);
+    begin[1] = static_cast<std::uint64_t>(*pup);
     size[1] = 1;
   }
-  file_.part(field.name, begin, size, type, values);
+  file_->part(field.name, begin, size, type, values);
 }
 
 RecordedRun::Sheet RecordedRun::sheet() const {
-  const auto size = static_cast<hsize_t>(8 * params_.face_points);
-  for (const SetInfo& set : file_.sets()) {
-    if (set.name != "skin/sheet" || set.shape != std::vector<hsize_t>{size, size}) continue;
+  const auto size = static_cast<std::uint64_t>(8 * params_.face_points);
+  for (const SetInfo& set : file_->sets()) {
+    if (set.name != "skin/sheet" || set.shape != std::vector<std::uint64_t>{size, size}) continue;
     std::vector<std::int16_t> pixels(size * size);
-    file_.part(set.name, {0, 0}, {size, size}, NumberType::i2, pixels.data());
+    file_->part(set.name, {0, 0}, {size, size}, NumberType::i2, pixels.data());
     const auto bad = [&](int afferent) {
       return afferent < 0 || afferent >= points_per_pup(params_);
     };

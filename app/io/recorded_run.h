@@ -2,13 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/io/hdf5_file.h"
+#include "app/io/data_set.h"
+#include "app/io/png.h"
 #include "pupflow/parameters.h"
 
 namespace pupflow::io {
+
+class Hdf5Reader;
 
 /// A recording of the present layout, open for reading. Its data sets have the sizes that its
 /// parameters say. Members throw Failure: bad_file when the file cannot be read or is damaged,
@@ -16,6 +21,9 @@ namespace pupflow::io {
 class RecordedRun {
  public:
   explicit RecordedRun(const std::string& path);
+  ~RecordedRun();
+  RecordedRun(const RecordedRun&) = delete;
+  RecordedRun& operator=(const RecordedRun&) = delete;
 
   const std::string& path() const { return path_; }
   const TextEntries& about() const { return about_; }
@@ -46,7 +54,7 @@ class RecordedRun {
   [[noreturn]] void damaged(const std::string& what) const;
 
   std::string path_;
-  Hdf5Reader file_;
+  std::unique_ptr<Hdf5Reader> file_;
   TextEntries about_;
   Params params_;
   std::vector<SetInfo> fields_;

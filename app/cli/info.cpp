@@ -21,6 +21,9 @@ namespace fs = std::filesystem;
 
 /// A sweep, by its folder.
 io::About about_sweep(const std::string& folder) {
+  if (!fs::exists(study::manifest_path(folder))) {
+    io::refuse(folder + ": is a folder without manifest.toml, so there is no sweep in it");
+  }
   const study::Design design = study::design_of_folder(folder);
   io::About about;
   about.kind = "sweep";
@@ -79,11 +82,11 @@ std::string shape_text(const io::SetInfo& set) {
 }
 
 std::string text(const std::string& path, const io::About& about) {
-  std::vector<io::Row> rows{{io::printable(path), about.kind}};
+  std::vector<io::Row> rows;
   if (!about.software.empty()) rows.push_back({"written by", about.software});
   rows.push_back({"parameters", changed_text(about.params)});
   for (const auto& [name, value] : about.facts) rows.push_back({name, value});
-  std::string all = io::aligned(rows);
+  const std::string all = io::printable(path) + ": " + about.kind + "\n" + io::aligned(rows);
   if (about.sets.empty()) return all;
   std::vector<io::Row> sets{{"name", "shape", "type", "unit", "meaning"}};
   for (const io::SetInfo& set : about.sets) {

@@ -12,10 +12,13 @@
 
 namespace pupflow::io {
 
-/// What several series of one file share. Only the thread works with the file while there are
-/// frames to come.
+/// What several series of one file share. HDF5 is never called by two threads at a time: once there
+/// are frames, only this thread works with the file.
 struct SeriesWriter {
-  explicit SeriesWriter(const Hdf5Writer& to) : file(to) {}
+  explicit SeriesWriter(const Hdf5Writer& to) : file(to) {
+    thread.run(quiet_hdf5);
+    thread.wait_for_all();
+  }
   const Hdf5Writer& file;
   ChunkDeflater deflater;  // of the thread
   Background thread;

@@ -1,5 +1,7 @@
 #include "app/io/hdf5_file.h"
 
+#include <hdf5_hl.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -11,21 +13,13 @@
 namespace pupflow::io {
 namespace {
 
-/// HDF5 prints its own account of every error unless told not to; errors are reported here. Its
-/// work at the exit of the program crashes when a file could not be closed: disks fill up.
-void be_quiet() {
-  static const herr_t before_all_else = H5dont_atexit();
-  static_cast<void>(before_all_else);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-
 hid_t open_new(const std::string& path) {
-  be_quiet();
+  quiet_hdf5();
   return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
 }
 
 hid_t open_old(const std::string& path) {
-  be_quiet();
+  quiet_hdf5();
   read_beginning(path, 1);  // says what is wrong with a file that cannot be read at all
   return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
 }
@@ -80,6 +74,12 @@ herr_t add_attribute(hid_t file, const char* name, const H5A_info_t*, void* data
 }
 
 }  // namespace
+
+void quiet_hdf5() {
+  static const herr_t before_all_else = H5dont_atexit();
+  static_cast<void>(before_all_else);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 hid_t hdf5_type(NumberType type) {
   switch (type) {
@@ -230,11 +230,12 @@ std::vector<hsize_t> shape_of(hid_t set) {
   return shape;
 }
 
-/// Adds what `name` is to `data`, a vector of SetInfo, if it is a data set.
+/// Adds what `name` is to `data`, a vector of SetInfo, if it is a data set and no dimension.
 herr_t add_set(hid_t file, const char* name, const H5O_info_t* info, void* data) {
   if (info->type != H5O_TYPE_DATASET) return 0;
   const Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
   if (set < 0) return -1;
+  if (H5DSis_scale(set) > 0) return 0;
   const std::vector<hsize_t> shape = shape_of(set);
   static_cast<std::vector<SetInfo>*>(data)->push_back({name,
                                                        {shape.begin(), shape.end()},

@@ -34,6 +34,11 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
+/// HDF5 prints its own account of every error, and crashes at the end of the program where a file
+/// could not be closed because the disk is full. From now on it does neither, on this thread; files
+/// that are opened here see to it.
+void quiet_hdf5();
+
 /// HDF5's name for such numbers in memory.
 hid_t hdf5_type(NumberType type);
 
@@ -92,7 +97,7 @@ class Hdf5Reader {
   std::vector<double> numbers(const std::string& name) const;
   std::vector<int> integers(const std::string& name) const;
 
-  /// All data sets by name.
+  /// All data sets by name, without those that are only dimensions.
   std::vector<SetInfo> sets() const;
 
   /// The numbers of a part of a data set, converted to `type`: a box that begins at `first` and has

@@ -84,7 +84,7 @@ TEST_F(CliInfo, OldFilesAndOthers) {
   EXPECT_EQ(text.code, 2);
   EXPECT_THAT(text.err, HasSubstr("does not say that pupflow wrote it"));
   EXPECT_EQ(pupflow({"info", "none.png"}).code, 4);
-  EXPECT_EQ(pupflow({"info", "."}).code, 4);
+  EXPECT_EQ(pupflow({"info", "."}).code, 2);
   EXPECT_EQ(pupflow({"info"}).code, 2);
 }
 

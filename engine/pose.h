@@ -7,11 +7,18 @@
 #pragma once
 
 #include "engine/cloud.h"
+#include "engine/fit.h"
 #include "engine/state.h"
 
 namespace pupflow {
 
-/// Fills the state's poses of the pups first ... last - 1; there must be room (make_room).
+/// Fills the state's pose of one pup: `fit` is that of its points (fit.h), `rotation` the one
+/// nearest to its linear part.
+template <class Real>
+void record_pose(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, State<Real>& state,
+                 int pup);
+
+/// Fits first. Fills the state's poses of the pups first ... last - 1; there must be room (make_room).
 template <class Real>
 void record_poses(const Cloud<Real>& cloud, State<Real>& state, int first, int last);
 

@@ -95,6 +95,12 @@ struct Step {
     });
   }
 
+  /// Whether shape matching has all that poses take; otherwise they are fitted after the step.
+  bool poses_from_match() const {
+    return plan.has(Part::pose) && plan.has(Part::rotation) && !body.damps() &&
+           params.integrator == Integrator::predictive;
+  }
+
   /// Those stages for the pups first ... last - 1.
   void run_some(std::size_t begin, std::size_t end, int first, int last, int worker,
                 Found& found) const {
@@ -105,7 +111,7 @@ struct Step {
       next = place + 1;
       if (matches(place)) {
         const MatchParts parts{plan.has(Part::quadratic), plan.has(Part::rotation),
-                               plan.has(Part::strain)};
+                               plan.has(Part::strain), poses_from_match()};
         found.counters.rotation_fallbacks +=
             match_shapes(params, body, parts, cloud, state, first, last);
         for (int pup = first; pup < last; ++pup) {
@@ -121,7 +127,9 @@ struct Step {
       }
     }
     const bool done = end == sequence.stages().size();
-    if (done && plan.has(Part::pose)) record_poses(cloud, state, first, last);
+    if (done && plan.has(Part::pose) && !poses_from_match()) {
+      record_poses(cloud, state, first, last);
+    }
   }
 
   static void keep_earliest(Found& found, const Status& status, std::size_t place) {

@@ -10,7 +10,7 @@ build_packages=(g++ cmake ninja-build pkg-config
   gnuplot-nox)
 check_packages=(libgtest-dev libgmock-dev clang-format-14 xvfb xdotool imagemagick
   libopenmpi-dev openmpi-bin libbenchmark-dev libarmadillo-dev
-  python3-h5py python3-h5netcdf python3-xarray)
+  python3-brian python3-h5py python3-h5netcdf python3-xarray)
 lint_packages=(clang-tidy-14)
 
 say() { printf '\n== %s\n' "$*"; }

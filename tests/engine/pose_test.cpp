@@ -94,6 +94,10 @@ INSTANTIATE_TEST_SUITE_P(Edits, PosesOfARun,
                              +[](Params& p) { p.deformation = 0; },
                              +[](Params& p) { p.rigidity = 0; },
                              +[](Params& p) {
+                               p.refinement = Refinement::consistent;
+                               p.dt = 0.004;
+                             },
+                             +[](Params& p) {
                                p.integrator = Integrator::explicit_;
                                p.rigidity = 0.1;
                              }));

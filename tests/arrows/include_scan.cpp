@@ -59,11 +59,14 @@ const std::vector<Library> kLibraries = {
     {"EGL/", {"app/context"}},
     {"GLFW/", {"app/context", "app/window"}},
     {"imgui", {"app/window"}},
+    {"hdf5", {"app/io"}},
+    {"isa-l.h", {"app/io"}},
     {"png.h", {"app/io"}},
     {"ft2build.h", {"app/view"}},
     {"toml++/", {"app/io", "app/study"}},
     {"CLI/", {"app/cli"}},
     {"mpi.h", {"app/mpi"}},
+    {"zlib.h", {"app/export"}},
 };
 
 bool starts_with_any(std::string_view text, const std::vector<std::string_view>& prefixes) {

@@ -26,6 +26,9 @@ void scaling(int rounds, Verdicts& verdicts);
 /// One thread and two: a single big litter, and a sweep by the program.
 void threads(int rounds, Verdicts& verdicts);
 
+/// Recording: what it adds to a run's time, and its memory.
+void recording(int rounds, Verdicts& verdicts);
+
 /// Starting the program.
 void start_up(int rounds, Verdicts& verdicts);
 

@@ -26,8 +26,11 @@ void fill_normal(const LitterView& litter, Values values) {
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = rest[i % rest.size()][Axis];
 }
 
-constexpr LitterField of_afferent(const Field& field, void (*formula)(const LitterView&, Values)) {
-  return {field, true, false, formula};
+constexpr bool kInRecordings = true;
+
+constexpr LitterField of_afferent(const Field& field, void (*formula)(const LitterView&, Values),
+                                  bool in_recordings = false) {
+  return {field, true, false, in_recordings, formula};
 }
 
 constexpr std::array<std::string_view, 2> kSides{"right", "left"};
@@ -42,7 +45,7 @@ constexpr std::array kAfferentFields{
                  .low = 0,
                  .high = 1,
                  .parts = {Part::owners, Part::pairs}},
-                fill_temperature),
+                fill_temperature, kInRecordings),
     of_afferent({.name = "touched",
                  .label = "touched pup",
                  .doc = "The pup whose point is the nearest touching one; -1 where there is none.",
@@ -50,7 +53,7 @@ constexpr std::array kAfferentFields{
                  .low = -1,
                  .digits = 0,
                  .parts = {Part::owners, Part::pairs}},
-                copy_of<&LitterView::touched>),
+                copy_of<&LitterView::touched>, kInRecordings),
     of_afferent(
         {.name = "side",
          .label = "side",
@@ -64,7 +67,7 @@ constexpr std::array kAfferentFields{
          .categories = kSides,
          .digits = 0,
          .parts = {Part::sides}},
-        copy_of<&LitterView::left>),
+        copy_of<&LitterView::left>, kInRecordings),
     of_afferent(
         {.name = "strain",
          .label = "strain",

@@ -26,6 +26,7 @@ constexpr PartRow kParts[kPartCount] = {
     {Part::rotation, Stage::shape_match, "rotation"},
     {Part::quadratic, Stage::shape_match, "quadratic terms"},
     {Part::strain, Stage::shape_match, "strain"},
+    {Part::pose, Stage::shape_match, "pose"},
 };
 
 Verdict decide_boundary(const Params& p) {
@@ -117,8 +118,9 @@ Verdict decide_record(bool observed) {
 Verdict decide(Stage stage, const Params& p, PartSet observed, ActionKinds actions) {
   const Verdict verdict = decide(stage, p, actions);
   if (verdict.needed || p.pups == 0) return verdict;
-  const bool records = (stage == Stage::steering && observed.has(Part::sides)) ||
-                       (stage == Stage::shape_match && observed.has(Part::strain));
+  const bool records =
+      (stage == Stage::steering && observed.has(Part::sides)) ||
+      (stage == Stage::shape_match && (observed.has(Part::strain) || observed.has(Part::pose)));
   return records ? decide_record(true) : verdict;
 }
 
@@ -160,6 +162,7 @@ Verdict decide(Part part, const Params& p, PartSet observed, ActionKinds actions
     case Part::pairs:
     case Part::sides:
     case Part::strain:
+    case Part::pose:
       return decide_record(observed.has(part));
   }
   return {true, ""};

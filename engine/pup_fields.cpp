@@ -59,11 +59,53 @@ void fill_deformation(const LitterView& litter, Values values) {
   }
 }
 
-constexpr bool kInFiles = true;
+template <std::size_t Axis>
+void fill_centre(const LitterView& litter, Values values) {
+  for (std::size_t pup = 0; pup < values.size(); ++pup) {
+    values[pup] = litter.pose[pup].centre[Axis];
+  }
+}
+
+template <std::size_t Number>
+void fill_quaternion(const LitterView& litter, Values values) {
+  for (std::size_t pup = 0; pup < values.size(); ++pup) {
+    values[pup] = litter.pose[pup].quaternion[Number];
+  }
+}
+
+/// The files that a field goes into.
+enum class Files { none, recordings, all };
 
 constexpr LitterField of_pup(const Field& field, void (*formula)(const LitterView&, Values),
-                             bool in_files = false) {
-  return {field, false, in_files, formula};
+                             Files files = Files::none) {
+  return {field, false, files == Files::all, files != Files::none, formula};
+}
+
+template <std::size_t Axis>
+constexpr LitterField of_centre(std::string_view name) {
+  return of_pup({.name = name,
+                 .symbol = name,
+                 .label = "centre",
+                 .unit = "length",
+                 .equation = "mean over points of the coordinate",
+                 .doc = "Coordinate of the pup's centre; z is its height above the floor.",
+                 .parts = {Part::pose}},
+                fill_centre<Axis>, Files::recordings);
+}
+
+template <std::size_t Number>
+constexpr LitterField of_quaternion(std::string_view name, std::string_view label) {
+  return of_pup({.name = name,
+                 .symbol = name,
+                 .label = label,
+                 .equation = "R nearest to the sum over points of (x − x_cm) qᵀ",
+                 .doc = "Part of the unit quaternion that turns the pup at rest to where it is; "
+                        "qw is not negative.",
+                 .kind = FieldKind::signed_,
+                 .low = -1,
+                 .high = 1,
+                 .parts = {Part::pose}},
+                fill_quaternion<Number>, Files::recordings);
 }
 
 constexpr double kPi = std::numbers::pi;
@@ -77,7 +119,7 @@ constexpr std::array kPupFields{
             .doc = "Body temperature after the step; 0.6 is 37 deg C.",
             .low = 0,
             .high = 1},
-           copy_of<&LitterView::tb>, kInFiles),
+           copy_of<&LitterView::tb>, Files::all),
     of_pup({.name = "felt_tb",
             .symbol = "T_b'",
             .label = "felt body temperature",
@@ -85,7 +127,7 @@ constexpr std::array kPupFields{
             .doc = "What others felt of the pup in the step.",
             .low = 0,
             .high = 1},
-           copy_of<&LitterView::felt_tb>),
+           copy_of<&LitterView::felt_tb>, Files::recordings),
     of_pup({.name = "exposed",
             .symbol = "A",
             .label = "exposed share",
@@ -94,7 +136,7 @@ constexpr std::array kPupFields{
             .low = 0,
             .high = 1,
             .parts = {Part::exposure}},
-           copy_of<&LitterView::exposed>, kInFiles),
+           copy_of<&LitterView::exposed>, Files::all),
     of_pup({.name = "huddling",
             .symbol = "1 − A",
             .label = "touching share",
@@ -112,7 +154,7 @@ constexpr std::array kPupFields{
             .kind = FieldKind::angle,
             .low = -kPi,
             .high = kPi},
-           copy_of<&LitterView::heading>, kInFiles),
+           copy_of<&LitterView::heading>, Files::all),
     of_pup({.name = "turn",
             .symbol = "Δθ",
             .label = "turn",
@@ -124,7 +166,7 @@ constexpr std::array kPupFields{
             .low = -kPi / 2,
             .high = kPi / 2,
             .parts = {Part::sides}},
-           copy_of<&LitterView::turn>),
+           copy_of<&LitterView::turn>, Files::recordings),
     of_pup({.name = "t_left",
             .symbol = "T_L",
             .label = "temperature felt on the left",
@@ -133,7 +175,7 @@ constexpr std::array kPupFields{
             .low = 0,
             .high = 1,
             .parts = {Part::sides}},
-           copy_of<&LitterView::t_left>),
+           copy_of<&LitterView::t_left>, Files::recordings),
     of_pup({.name = "t_right",
             .symbol = "T_R",
             .label = "temperature felt on the right",
@@ -142,7 +184,7 @@ constexpr std::array kPupFields{
             .low = 0,
             .high = 1,
             .parts = {Part::sides}},
-           copy_of<&LitterView::t_right>),
+           copy_of<&LitterView::t_right>, Files::recordings),
     of_pup({.name = "group",
             .label = "group",
             .equation = "component of the contact graph, numbered by its lowest pup",
@@ -151,7 +193,7 @@ constexpr std::array kPupFields{
             .low = 0,
             .digits = 0,
             .parts = {Part::pairs}},
-           fill_group),
+           fill_group, Files::recordings),
     of_pup({.name = "group_size",
             .label = "pups in the group",
             .unit = "pups",
@@ -192,6 +234,13 @@ constexpr std::array kPupFields{
                    "rotation R, in pup radii.",
             .low = 0},
            fill_deformation),
+    of_centre<0>("x"),
+    of_centre<1>("y"),
+    of_centre<2>("z"),
+    of_quaternion<0>("qx", "orientation, x"),
+    of_quaternion<1>("qy", "orientation, y"),
+    of_quaternion<2>("qz", "orientation, z"),
+    of_quaternion<3>("qw", "orientation, w"),
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/elementary.h"
+#include "engine/pose.h"
 
 namespace pupflow {
 namespace {
@@ -169,6 +170,7 @@ int match_shapes(const Params& params, const StepBody& body, MatchParts parts,
     const ModeMatrix goal =
         goal_modes(fit[i].shape, rotation[i].matrix, cloud.linear_scale, body.beta);
     if (parts.strain) record_strain(cloud, goal, state, first + i);
+    if (parts.pose) record_pose(fit[i].shape, rotation[i].matrix, state, first + i);
     pull_to_goals(params, body, parts.quadratic, cloud, fit[i], goal, state, first + i);
   }
   return irregular;

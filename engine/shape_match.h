@@ -91,6 +91,8 @@ void predict(const Params& params, State<Real>& state, int pup);
 struct MatchParts {
   bool quadratic = true, rotation = true;
   bool strain = false;  // record each point's distance from its goal
+  bool pose = false;    // record where the pup is and how it is turned; needs `rotation`, the
+                        // predictive integrator, and a step without damping
 };
 
 /// Pups that are matched together at most.
@@ -99,6 +101,9 @@ constexpr int kMatchedTogether = kRotationLanes;
 /// Pulls the points of the pups first ... last - 1, at most kMatchedTogether, towards their goals:
 /// fits, nearest rotations, goals, pull. Returns how many rotations were not RotationKind::regular.
 /// `parts.strain` fills the state's strain before the pull; it must have room (make_room).
+///
+/// `parts.pose` fills the state's poses. The pull leaves both as they are: goals have the mean of
+/// the points, and their linear part is R times a symmetric matrix like that of the fit.
 template <class Real>
 int match_shapes(const Params& params, const StepBody& body, MatchParts parts,
                  const Cloud<Real>& cloud, State<Real>& state, int first, int last);

@@ -8,6 +8,7 @@
 
 #include "engine/elementary.h"
 #include "engine/health.h"
+#include "engine/pose.h"
 #include "engine/start.h"
 #include "engine/steering.h"
 #include "engine/step.h"
@@ -24,6 +25,7 @@ class Simulation::Model {
   virtual Status advance(StageListener* listener) = 0;
   virtual LitterView view() const = 0;
   virtual void observe_start() = 0;  // records what is observed, before the first step
+  virtual void observe_poses() = 0;  // records them where they are observed
   virtual void set_cloud(int pup, std::span<const double> positions,
                          std::span<const double> velocities) = 0;
   virtual std::vector<double>& tb() = 0;
@@ -141,6 +143,7 @@ class Simulation::LitterModel final : public Simulation::Model {
             .t_left = state_.t_left,
             .t_right = state_.t_right,
             .turn = state_.turn,
+            .pose = state_.pose,
             .touched = state_.touched,
             .left = state_.left,
             .strain = state_.strain,
@@ -156,6 +159,13 @@ class Simulation::LitterModel final : public Simulation::Model {
       steer(params, {.turn = false, .direction = false, .sides = true}, *cloud_, state_, pup);
     }
     state_.recorded = state_.recorded | observed;
+  }
+
+  void observe_poses() override {
+    if (!observed.has(Part::pose)) return;
+    make_room(state_, {Part::pose});
+    record_poses(*cloud_, state_, 0, state_.pups);
+    state_.recorded.add(Part::pose);
   }
 
   void set_cloud(int pup, std::span<const double> positions,
@@ -364,6 +374,7 @@ void Simulation::set_observed(PartSet parts) {
   model_->observed = parts;
   model_->replan();
   if (steps_done() == 0) model_->observe_start();
+  model_->observe_poses();
 }
 
 void Simulation::force_plan(const Plan& more) {

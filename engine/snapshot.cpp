@@ -27,6 +27,7 @@ LitterView Snapshot::view() const {
           .t_left = {},
           .t_right = {},
           .turn = {},
+          .pose = {},
           .touched = touched,
           .left = {},
           .strain = {},

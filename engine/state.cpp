@@ -67,6 +67,7 @@ void make_room(State<Real>& state, PartSet records) {
     state.left.resize(state.flat(state.pups));
   }
   if (records.has(Part::strain)) state.strain.resize(state.flat(state.pups));
+  if (records.has(Part::pose)) state.pose.resize(state.pups);
 }
 
 template struct State<float>;

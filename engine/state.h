@@ -47,6 +47,7 @@ struct State {
   // For observers; empty until a step records them.
   std::vector<double> t_left, t_right, turn;  // Part::sides, per pup
   std::vector<std::uint8_t> left;             // Part::sides; element j * points + i
+  std::vector<PupPose> pose;                  // Part::pose, per pup
   std::vector<float> strain;                  // Part::strain; element j * points + i
   PartSet recorded;                           // what the last step recorded
 

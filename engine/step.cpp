@@ -7,6 +7,7 @@
 #include "engine/boundary.h"
 #include "engine/health.h"
 #include "engine/heat.h"
+#include "engine/pose.h"
 #include "engine/refinement.h"
 #include "engine/shape_match.h"
 #include "engine/steering.h"
@@ -94,6 +95,12 @@ struct Step {
     });
   }
 
+  /// Whether shape matching has all that poses take; otherwise they are fitted after the step.
+  bool poses_from_match() const {
+    return plan.has(Part::pose) && plan.has(Part::rotation) && !body.damps() &&
+           params.integrator == Integrator::predictive;
+  }
+
   /// Those stages for the pups first ... last - 1.
   void run_some(std::size_t begin, std::size_t end, int first, int last, int worker,
                 Found& found) const {
@@ -104,7 +111,7 @@ struct Step {
       next = place + 1;
       if (matches(place)) {
         const MatchParts parts{plan.has(Part::quadratic), plan.has(Part::rotation),
-                               plan.has(Part::strain)};
+                               plan.has(Part::strain), poses_from_match()};
         found.counters.rotation_fallbacks +=
             match_shapes(params, body, parts, cloud, state, first, last);
         for (int pup = first; pup < last; ++pup) {
@@ -118,6 +125,10 @@ struct Step {
           keep_earliest(found, stage_of_pup(sequence.stages()[i], pup, worker), i);
         }
       }
+    }
+    const bool done = end == sequence.stages().size();
+    if (done && plan.has(Part::pose) && !poses_from_match()) {
+      record_poses(cloud, state, first, last);
     }
   }
 

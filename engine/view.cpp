@@ -139,6 +139,7 @@ void LitterCopy::take(const LitterView& litter, bool velocities) {
   copy_recorded(Part::sides, litter.t_right, t_right_);
   copy_recorded(Part::sides, litter.turn, turn_);
   copy_recorded(Part::sides, litter.left, left_);
+  copy_recorded(Part::pose, litter.pose, pose_);
   copy_recorded(Part::owners, litter.touched, touched_);
   copy_recorded(Part::strain, litter.strain, strain_);
   copy_recorded(Part::pairs, litter.touching, touching_);
@@ -163,6 +164,7 @@ LitterView LitterCopy::view() const {
           .t_left = t_left_,
           .t_right = t_right_,
           .turn = turn_,
+          .pose = pose_,
           .touched = touched_,
           .left = left_,
           .strain = strain_,

@@ -28,6 +28,8 @@ struct Options {
   Common common;  // its `out` is the metrics CSV
   std::string pups, record, checkpoint, from;
   std::int64_t every = 1, record_every = 10;
+  std::optional<std::int64_t> record_from;
+  std::string record_fields = "pup";
   bool overlap = false;
 };
 
@@ -36,6 +38,7 @@ struct Files {
   std::optional<io::MetricsCsv> metrics;
   std::optional<io::PupsCsv> pups;
   std::optional<io::Recording> recording;
+  PartSet recorded;  // what its frames need
 
   Files(const Options& options, const Simulation& start) {
     if (!options.common.out.empty()) {
@@ -43,7 +46,10 @@ struct Files {
     }
     if (!options.pups.empty()) pups.emplace(options.pups, options.common.force, start);
     if (!options.record.empty()) {
-      recording.emplace(options.record, options.common.force, start.recipe());
+      const io::RecordedFields fields = io::parse_recorded_fields(options.record_fields);
+      recording.emplace(options.record, options.common.force, start.recipe(), io::provenance(start),
+                        fields);
+      recorded = fields.parts();
     }
     if (!options.checkpoint.empty()) io::refuse_existing(options.checkpoint, options.common.force);
   }
@@ -60,7 +66,11 @@ struct Files {
     };
     if (metrics) close(metrics->file());
     if (pups) close(pups->file());
-    if (recording) recording->commit(ending);
+    if (!recording) return;
+    for (const auto& [name, value] : state) {
+      if (name != "edited") recording->note(name, value);  // it is there from the start
+    }
+    recording->commit(ending);
   }
 };
 
@@ -97,6 +107,7 @@ class Run {
     const auto start = std::chrono::steady_clock::now();
     const std::int64_t steps = simulation_.params().steps;
     io::Progress progress("run", steps, options_.common.quiet);
+    record_start();
     while (simulation_.steps_done() < steps && simulation_.status().ok() && !io::interrupted()) {
       one_step();
       progress.update(simulation_.steps_done());
@@ -132,18 +143,32 @@ class Run {
     return row || in_means(step + ahead);
   }
 
+  /// Whether the state after `step` is a frame of the recording.
+  bool frame_at(std::int64_t step) const {
+    const std::int64_t from = options_.record_from.value_or(options_.record_every);
+    return files_.recording && step >= from && (step - from) % options_.record_every == 0;
+  }
+
+  /// The state that the run begins with is a frame only where --record-from asks for it.
+  void record_start() {
+    if (!options_.record_from || !frame_at(simulation_.steps_done())) return;
+    simulation_.set_observed(observed_ = files_.recorded);
+    files_.recording->add(simulation_);
+  }
+
   void one_step() {
     const std::int64_t step = simulation_.steps_done() + 1, lag = simulation_.params().flow_lag;
     const bool observe = wanted(step), later = wanted(step, lag);
     const bool pups_row = files_.pups && step % options_.every == 0;
-    const bool frame = files_.recording && step % options_.record_every == 0;
+    const bool frame = frame_at(step);
     if (!later) observer_.reset();
     // The state before a step that is compared with a later one, as the last step left it.
     if (later && !observer_ && wanted(step - 1, lag)) observer_.emplace(simulation_);
     // A checkpoint holds who touches whom: the run that goes on from it compares with that.
     const bool contacts = later || !options_.checkpoint.empty();
     const PartSet parts = (contacts ? kContactRecords : PartSet{}) |
-                          (pups_row || frame ? parts_in_files() : PartSet{});
+                          (pups_row ? parts_in_files() : PartSet{}) |
+                          (frame ? files_.recorded : PartSet{});
     if (parts != observed_) simulation_.set_observed(observed_ = parts);
     if (!simulation_.step().ok()) return;
     if (observe) {
@@ -219,13 +244,21 @@ Verb add_run(CLI::App& program) {
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
   app->add_option("--record", options->record,
-                  "Write the litter's points and temperatures to an HDF5 file")
+                  "Write the litter's fields at chosen steps to an HDF5 file")
       ->option_text("FILE")
       ->check(not_empty);
-  app->add_option("--record-every", options->record_every,
-                  "Frames for steps N, 2N, ... (default 10)")
+  app->add_option("--record-every", options->record_every, "A frame every N steps (default 10)")
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+  app->add_option("--record-from", options->record_from,
+                  "Step of the first frame, 0 for the start (default: N of --record-every)")
+      ->option_text("STEP")
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 53));
+  app->add_option("--record-fields", options->record_fields,
+                  "What a frame holds: pup, afferent, point (groups), or names of 'pupflow fields' "
+                  "(default pup)")
+      ->option_text("NAME,...")
+      ->check(not_empty);
   app->add_option("--checkpoint", options->checkpoint,
                   "Write the whole state at the end (also after Ctrl-C) to an HDF5 file")
       ->option_text("FILE")

@@ -28,6 +28,8 @@ Verb add_verify(CLI::App& program);
 Verb add_params(CLI::App& program);
 Verb add_fields(CLI::App& program);
 Verb add_explain(CLI::App& program);
+Verb add_info(CLI::App& program);
+Verb add_export(CLI::App& program);
 Verb add_report(CLI::App& program);
 Verb add_doctor(CLI::App& program);
 

@@ -1,28 +1,51 @@
-// Recordings: HDF5 files with the litter's state at chosen steps, for analysis elsewhere.
+// Recordings: HDF5 files with a litter's fields at chosen steps, for analysis elsewhere.
+// docs/recordings.md describes the layout.
 #pragma once
 
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "pupflow/parameters.h"
+#include "app/io/png.h"
+#include "pupflow/fields.h"
 #include "pupflow/view.h"
 
 namespace pupflow::io {
 
-/// One recording being written; appears whole or not at all. Data sets, a row per frame: /step
-/// (int64), /time, /point/position (float32: frame x pup x point x 3), and /pup/NAME (frame x pup)
-/// for all pup fields that go into files (LitterField::in_files), with attributes unit and
-/// description. Attributes of the file: io::provenance, kind and layout. Members throw
+/// The layout that this version writes; docs/recordings.md has the versions.
+inline constexpr int kRecordingLayout = 2;
+
+/// What is recorded of each frame.
+struct RecordedFields {
+  std::vector<const LitterField*> fields;
+  bool positions = false;  // of all points
+
+  /// What the steps of frames must record for them (Simulation::set_observed).
+  PartSet parts() const;
+};
+
+/// Reads names joined by commas: "pup" and "afferent" for those fields that belong in recordings
+/// (LitterField::in_recordings), "point" for positions, or any field of 'pupflow fields'. Throws
+/// Failure(bad_input).
+RecordedFields parse_recorded_fields(const std::string& names);
+
+/// One recording being written; appears whole or not at all. A second thread writes. Members throw
 /// Failure(bad_file).
 class Recording {
  public:
-  Recording(const std::string& path, bool force, const Params& params);
+  /// Writes all that does not change: attributes and skin. `about` is what the file tells of its
+  /// making (io::provenance).
+  Recording(const std::string& path, bool force, const Params& params, const TextEntries& about,
+            const RecordedFields& fields);
   ~Recording();
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
 
   /// Adds the state as it is now.
   void add(const LitterView& litter);
+
+  /// Adds an attribute to the file.
+  void note(const std::string& name, const std::string& value);
 
   /// Puts the file in its place, with `ending` (if not empty) as an attribute saying why it ends
   /// early.

@@ -1,9 +1,8 @@
-// Recordings and checkpoints.
+// Checkpoints.
 #include <gmock/gmock.h>
 
 #include "app/io/checkpoint.h"
 #include "app/io/hdf5_file.h"
-#include "app/io/params_of_file.h"
 #include "app/io/provenance.h"
 #include "app/io/recording.h"
 #include "failing.h"
@@ -13,7 +12,6 @@
 namespace pupflow::io {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 Params small() {
@@ -67,7 +65,7 @@ TEST(Checkpoint, OtherFilesAreRefused) {
   test::failure_of(ExitCode::bad_file, [&] { read_checkpoint(cut); });
 
   const std::string recording = scratch.path("r.h5");
-  Recording(recording, false, small()).commit("");
+  Recording(recording, false, small(), provenance(small()), {}).commit("");
   EXPECT_THAT(test::failure_of(ExitCode::bad_input, [&] { read_checkpoint(recording); }),
               HasSubstr("is no checkpoint"));
 }
@@ -78,45 +76,6 @@ TEST(Checkpoint, AnExistingFileStays) {
   test::failure_of(ExitCode::bad_file, [&] { write_checkpoint(path, false, Simulation(small())); });
   EXPECT_EQ(test::contents(path), "mine");
   EXPECT_EQ(scratch.entries(), 1);
-}
-
-TEST(Recording, HoldsWhatTheLitterWas) {
-  const test::Scratch scratch;
-  Simulation s(small());
-  const std::size_t numbers = 3 * static_cast<std::size_t>(s.pups()) * s.points();
-  std::vector<double> positions, tb;
-  {
-    Recording recording(scratch.path("r.h5"), false, s.params());
-    for (int frame = 0; frame < 3; ++frame) {
-      s.run(10);
-      recording.add(s);
-      std::vector<float> xyz(numbers);
-      s.view().positions.copy_to(xyz);
-      positions.insert(positions.end(), xyz.begin(), xyz.end());
-      tb.insert(tb.end(), s.view().tb.begin(), s.view().tb.end());
-    }
-    EXPECT_FALSE(std::filesystem::exists(scratch.path("r.h5")));  // whole or not at all
-    recording.commit("interrupted");
-  }
-  const Hdf5Reader file(scratch.path("r.h5"));
-  EXPECT_THAT(file.numbers("step"), ElementsAre(10, 20, 30));
-  EXPECT_EQ(file.numbers("point/position"), positions);
-  EXPECT_EQ(file.numbers("pup/tb"), tb);
-  EXPECT_EQ(params_of_file(scratch.path("r.h5")), s.params());
-  EXPECT_THAT(file.text(), ::testing::Contains(
-                               std::pair<std::string, std::string>("ended early", "interrupted")));
-}
-
-TEST(Recording, WithoutCommitLeavesNothing) {
-  const test::Scratch scratch;
-  { const Recording abandoned(scratch.path("r.h5"), false, small()); }
-  EXPECT_EQ(scratch.entries(), 0);
-}
-
-TEST(Recording, CannotGoToAPipe) {
-  EXPECT_THAT(
-      test::failure_of(ExitCode::bad_file, [] { const Recording r("/dev/null", true, small()); }),
-      HasSubstr("name a file"));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ const std::vector<Layer> kLayers = {
     {kPublic, {}},
     {"engine", {kPublic}},
     {"app/io", {kPublic}},
+    {"app/export", {kPublic, "app/io"}},
     {"app/study", {kPublic, "app/io"}},
     {"app/verify", {kPublic, "app/io", "app/study"}},
     {"app/report", {kPublic, "engine", "app/io", "app/study"}},
@@ -43,8 +44,8 @@ const std::vector<Layer> kLayers = {
     {"app/window", {kPublic, "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
     {"app/graphics", {"app/context", "app/pictures", "app/window"}},
     {"app/cli",
-     {kPublic, "app/io", "app/study", "app/verify", "app/report", "app/view", "app/mpi/interface.h",
-      "app/graphics/graphics.h", "app/pictures/look.h"}},
+     {kPublic, "app/io", "app/export", "app/study", "app/verify", "app/report", "app/view",
+      "app/mpi/interface.h", "app/graphics/graphics.h", "app/pictures/look.h"}},
     {"bench", {kPublic, "engine", "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
 };
 
@@ -59,11 +60,14 @@ const std::vector<Library> kLibraries = {
     {"EGL/", {"app/context"}},
     {"GLFW/", {"app/context", "app/window"}},
     {"imgui", {"app/window"}},
+    {"hdf5", {"app/io"}},
+    {"isa-l.h", {"app/io"}},
     {"png.h", {"app/io"}},
     {"ft2build.h", {"app/view"}},
     {"toml++/", {"app/io", "app/study"}},
     {"CLI/", {"app/cli"}},
     {"mpi.h", {"app/mpi"}},
+    {"zlib.h", {"app/export"}},
 };
 
 bool starts_with_any(std::string_view text, const std::vector<std::string_view>& prefixes) {

@@ -116,6 +116,8 @@ constexpr Case kForbidden[] = {
     {"app/cli/sweep.cpp", "#include \"app/mpi/leader.h\""},
     {"app/cli/explain.cpp", "#include \"bench/measure.h\""},
     {"app/study/sweep.cpp", "#include <armadillo>"},
+    {"app/export/npy.cpp", "#include \"app/study/sweep.h\""},
+    {"app/cli/export.cpp", "#include <hdf5.h>"},
 };
 
 constexpr Case kAllowed[] = {

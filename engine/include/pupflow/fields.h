@@ -55,7 +55,8 @@ struct LitterField : Field {
   std::vector<double> values(const LitterView& litter) const;
 
   bool of_afferents = false;
-  bool in_files = false;  // written where a user names no fields
+  bool in_files = false;       // a column of the pups CSV
+  bool in_recordings = false;  // a data set of recordings
   void (*formula)(const LitterView&, std::span<double> values) = nullptr;
 };
 
@@ -69,7 +70,7 @@ std::span<const LitterField> afferent_fields();
 /// The field of a pup or an afferent called `name`, or nullptr.
 const LitterField* find_field(std::string_view name);
 
-/// What the fields need that go into files.
+/// What the fields need that are columns of the pups CSV.
 PartSet parts_in_files();
 
 /// The litter's observables after one step; NaN where one was not asked for.

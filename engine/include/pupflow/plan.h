@@ -26,9 +26,10 @@ enum class Part {
   mean_temperature,  // heat: the mean of the touched temperatures
   rotation,          // shape matching: the nearest rotation
   quadratic,         // shape matching: quadratic terms
-  strain  // shape matching: each point's distance from its goal, recorded for an observer
+  strain,  // shape matching: each point's distance from its goal, recorded for an observer
+  pose     // shape matching: where each pup is and how it is turned, recorded for an observer
 };
-constexpr int kPartCount = 10;
+constexpr int kPartCount = 11;
 
 /// A set of parts.
 class PartSet {
@@ -85,7 +86,7 @@ struct ActionKinds {
 };
 
 /// The plan for `params`, which must be sound, where pups are acted on by `actions`. `observed`: the parts whose results are looked at
-/// after the step (kContactRecords, Part::sides, Part::strain; fields.h says what each field
+/// after the step (kContactRecords, Part::sides, Part::strain, Part::pose; fields.h says what each field
 /// needs). They change no bit of the litter.
 Plan make_plan(const Params& params, PartSet observed, ActionKinds actions = {});
 

@@ -68,7 +68,8 @@ class Simulation {
   /// contacts what heat and steering read, and what is observed; the rest stays as it was. May
   /// change between any two steps: it changes no bit of the litter. Pup flow compares with the step
   /// flow_lag before, membership flow with the step before: these must be observed, too. Before the
-  /// first step the sides and the strain of the litter at rest are recorded at once.
+  /// first step the sides and the strain of the litter at rest are recorded at once; poses are at
+  /// any time.
   void set_observed(PartSet parts);
 
   /// Runs the stages and parts of `more` too, from the next step on, though the scene needs none of

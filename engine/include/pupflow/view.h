@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,6 +18,12 @@ namespace pupflow {
 struct TouchingPair {
   int first, second;
   friend bool operator==(const TouchingPair&, const TouchingPair&) = default;
+};
+
+/// Where a pup is and how it is turned.
+struct PupPose {
+  std::array<double, 3> centre;      // mean over the points, arena units
+  std::array<double, 4> quaternion;  // x y z w, w >= 0: from body axes to those of the arena
 };
 
 /// One 3-vector per point, pup by pup, in memory that belongs to someone else: positions or
@@ -87,6 +94,8 @@ struct LitterView {
   std::span<const double> t_left, t_right;  // mean T_c on either side
   std::span<const double> turn;             // delta theta, radians; fields.h has the equation
 
+  std::span<const PupPose> pose;  // Part::pose, one per pup; or empty
+
   // One value per afferent (point), pup by pup.
   std::span<const int> touched;  // Part::owners, Part::pairs: pup of the nearest touching point, or
                                  // -1
@@ -115,6 +124,7 @@ class LitterCopy {
   int pups_ = 0, points_ = 0;
   std::vector<float> positions_, velocities_, strain_;
   std::vector<double> tb_, felt_tb_, heading_, exposed_, t_left_, t_right_, turn_;
+  std::vector<PupPose> pose_;
   std::vector<int> touched_;
   std::vector<std::uint8_t> left_;
   std::vector<TouchingPair> touching_;

@@ -1,0 +1,85 @@
+// pupflow export: a recording in a form that other programs read.
+#include "app/export/export.h"
+
+#include <memory>
+
+#include "app/cli/verb.h"
+#include "app/io/failure.h"
+#include "app/io/text.h"
+
+namespace pupflow::cli {
+namespace {
+
+struct Options {
+  std::string recording, format, scale;
+  exporting::Request request;
+  bool quiet = false;
+};
+
+exporting::Range read_range(const std::string& text) {
+  const std::vector<std::string_view> ends = io::split(text, ',');
+  if (ends.size() == 2) {
+    const auto low = io::read_number<double>(ends[0]), high = io::read_number<double>(ends[1]);
+    if (low && high && *low < *high) return {*low, *high};
+  }
+  io::refuse("--scale " + text + ": must be MIN,MAX with MIN below MAX, e.g. 0,1");
+}
+
+std::string format_names(const char* separator) {
+  return io::joined(exporting::formats(), separator,
+                    [](const exporting::Format& format) { return std::string(format.name); });
+}
+
+void work(Options options) {
+  if (!options.scale.empty()) {
+    if (options.format != "gcal") io::refuse("--scale is of --format gcal only");
+    options.request.scale = read_range(options.scale);
+  }
+  const io::RecordedRun recording(options.recording);
+  io::Progress progress("export", static_cast<std::int64_t>(recording.frames()), options.quiet);
+  exporting::export_recording(recording, options.format, options.request, progress);
+}
+
+}  // namespace
+
+Verb add_export(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("export", "Write a recording in a form that other programs read");
+  const auto options = std::make_shared<Options>();
+  exporting::Request& request = options->request;
+  app->add_option("RECORDING", options->recording, "A file of 'pupflow run --record'")
+      ->option_text(" ")
+      ->required()
+      ->check(not_empty);
+  app->add_option("--format", options->format, "The form")
+      ->option_text(format_names("|"))
+      ->required()
+      ->check(not_empty);
+  app->add_option("--out", request.out, "Write to this file; %05d stands for the step of a frame")
+      ->option_text("FILE")
+      ->required()
+      ->check(not_empty);
+  app->add_option("--field", request.field,
+                  "The field, as 'pupflow info' names it without its group (default: temperature "
+                  "where recorded, else tb)")
+      ->option_text("NAME")
+      ->check(not_empty);
+  app->add_option("--pup", request.pup, "One pup instead of all")
+      ->option_text("N")
+      ->check(CLI::Range(0, 1 << 30));
+  app->add_flag("--sheet", request.sheet,
+                "Afferents as square images of the skin, as the recording's skin/sheet has them");
+  app->add_option("--scale", options->scale,
+                  "gcal: what becomes 0 and 1; beyond is cut off (default: the field's range)")
+      ->option_text("MIN,MAX");
+  app->add_flag("--force", request.force, "Replace output files that exist");
+  app->add_flag("--quiet", options->quiet, "No progress");
+  std::string footer = "Formats:\n";
+  for (const exporting::Format& format : exporting::formats()) {
+    footer += "  " + std::string(format.name) + ": " + std::string(format.doc) + "\n";
+  }
+  app->footer(footer);
+  return {app, [options] { work(*options); }};
+}
+
+}  // namespace pupflow::cli

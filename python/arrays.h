@@ -26,8 +26,7 @@ py::array array_over(std::shared_ptr<std::vector<Number>> memory, const Shape& s
 /// A read-only array of these numbers.
 template <class Number>
 py::array read_only_array(std::vector<Number> numbers, const Shape& shape) {
-  py::array array =
-      array_over(std::make_shared<std::vector<Number>>(std::move(numbers)), shape);
+  py::array array = array_over(std::make_shared<std::vector<Number>>(std::move(numbers)), shape);
   array.attr("setflags")(py::arg("write") = false);
   return array;
 }

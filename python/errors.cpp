@@ -85,9 +85,9 @@ void refuse_attribute(py::handle object, const std::string& name) {
 
 void refuse_unknown_attributes(py::object type) {
   type.attr("__getattr__") =
-      py::cpp_function([](const py::object& self, const std::string& name) -> py::object {
-        refuse_attribute(self, name);
-      }, py::is_method(type));
+      py::cpp_function([](const py::object& self,
+                          const std::string& name) -> py::object { refuse_attribute(self, name); },
+                       py::is_method(type));
   type.attr("__setattr__") = py::cpp_function(set_known, py::is_method(type));
 }
 

@@ -75,11 +75,13 @@ std::shared_ptr<Litter> Litter::copy() {
 
 const Simulation& Litter::simulation() const {
   if (!busy_) return simulation_;
-  throw std::runtime_error("another call steps or draws this litter; make a copy() for each thread");
+  throw std::runtime_error(
+      "another call steps or draws this litter; make a copy() for each thread");
 }
 
 void Litter::step(std::int64_t count) {
-  if (count < 0) throw py::value_error("step(" + std::to_string(count) + "): must be 0 or more steps");
+  if (count < 0)
+    throw py::value_error("step(" + std::to_string(count) + "): must be 0 or more steps");
   simulation();
   take_actions();
   forget();
@@ -114,8 +116,8 @@ void Litter::set(const Parameter& parameter, py::handle value) {
   take_value(parameter, value, params, problems);
   if (needs_restart(simulation_.params(), params)) {
     const std::string name(parameter.name);
-    throw py::attribute_error(name + " defines the litter and cannot change; make a new one: Litter(" +
-                              name + "=...)");
+    throw py::attribute_error(
+        name + " defines the litter and cannot change; make a new one: Litter(" + name + "=...)");
   }
   for (const Problem& problem : check(params)) problems.push_back(problem.message);
   if (!problems.empty()) io::refuse(io::joined(problems, "\n"));

@@ -92,7 +92,7 @@ class Litter {
   std::optional<Observables> seen_;  // after the last step
   Numbers force_, heat_, turn_;
   int threads_ = 1;
-  bool busy_ = false;  // guarded by the GIL
+  bool busy_ = false;                             // guarded by the GIL
   std::map<std::string_view, py::object> shown_;  // by name, until the next step
 };
 

@@ -34,13 +34,19 @@ constexpr const char* kLitterDoc =
     "scene: the name of a shipped scene (pupflow.scenes()), or the path of a scene file.\n"
     "parameters: any parameter by name, over those of the scene: Litter('cold', seed=1, ta=0.3).\n"
     "\n"
-    "Its attributes are the fields of its pups (numpy arrays) and its parameters. All of them are also\n"
-    "in three groups: params (parameters), pup (fields of a pup), afferent (fields of an afferent, a\n"
-    "point of a pup). Where a name stands for two things, the attribute is the first of: control, field,\n"
-    "parameter; so heading is the direction of travel, and params.heading what a pup steers about.\n"
+    "Its attributes are the fields of its pups (numpy arrays) and its parameters. All of them are "
+    "also\n"
+    "in three groups: params (parameters), pup (fields of a pup), afferent (fields of an afferent, "
+    "a\n"
+    "point of a pup). Where a name stands for two things, the attribute is the first of: control, "
+    "field,\n"
+    "parameter; so heading is the direction of travel, and params.heading what a pup steers "
+    "about.\n"
     "\n"
-    "Arrays show the state after the last step. They are read-only and keep their numbers when the\n"
-    "litter is stepped; read the attribute again for the next state. A field that the last step did not\n"
+    "Arrays show the state after the last step. They are read-only and keep their numbers when "
+    "the\n"
+    "litter is stepped; read the attribute again for the next state. A field that the last step "
+    "did not\n"
     "record raises RuntimeError: strain, until record('strain'), and a few right after load().\n"
     "\n"
     "Litters may be stepped in several threads at once, each litter by one thread at a time.";
@@ -52,12 +58,14 @@ constexpr const char* kStepDoc =
     "Raises BadNumbers, then and at each later call.";
 
 constexpr const char* kImageDoc =
-    "image(width=1280, height=960, *, color_by='tb', colormap=None, scale=None, camera='orbit:30,35',\n"
+    "image(width=1280, height=960, *, color_by='tb', colormap=None, scale=None, "
+    "camera='orbit:30,35',\n"
     "      bar=True)\n"
     "\n"
     "A picture of the litter: a numpy array (height, width, 3) of uint8. Needs no display.\n"
     "\n"
-    "color_by: a field of a pup or an afferent. colormap and scale (low, high): by default the field's.\n"
+    "color_by: a field of a pup or an afferent. colormap and scale (low, high): by default the "
+    "field's.\n"
     "camera: 'top', 'side' or 'orbit:azimuth,elevation[,distance]'. bar: draw the legend.\n"
     "Raises RuntimeError where there is no OpenGL, with what to install.";
 
@@ -85,7 +93,9 @@ void add_attribute(py::class_<Owner, Options...>& type, const Parameter& paramet
       [&parameter](Owner& owner) {
         return value_of(parameter, litter_of(owner).simulation().params());
       },
-      [&parameter](Owner& owner, const py::object& value) { litter_of(owner).set(parameter, value); },
+      [&parameter](Owner& owner, const py::object& value) {
+        litter_of(owner).set(parameter, value);
+      },
       words(parameter).c_str());
 }
 template <class Owner, class... Options>
@@ -206,9 +216,10 @@ void add_action(LitterType& type, const char* name, py::array (Litter::*array)()
 }
 
 void add_actions(LitterType& type) {
-  add_action(type, "force", &Litter::force,
-             "(pups, 3) acceleration of each pup [length/s^2] in the steps to come, added to gravity "
-             "and\ndrive. Writable: litter.force[3] = (1, 0, 0).");
+  add_action(
+      type, "force", &Litter::force,
+      "(pups, 3) acceleration of each pup [length/s^2] in the steps to come, added to gravity "
+      "and\ndrive. Writable: litter.force[3] = (1, 0, 0).");
   add_action(type, "heat", &Litter::heat,
              "(pups,) heat of each pup [normalised/s] in the steps to come, added to g. Writable.\n"
              "(params.heat is the parameter of that name.)");
@@ -225,7 +236,8 @@ void add_state(LitterType& type) {
       "time", [](const Litter& l) { return l.simulation().time(); }, "Model time [s].");
   type.def_property_readonly(
       "points", [](const Litter& l) { return l.simulation().points(); },
-      "Points of a pup, 6 face_points^2: face by face (+x, +y, +z, -x, -y, -z of the body), each a\n"
+      "Points of a pup, 6 face_points^2: face by face (+x, +y, +z, -x, -y, -z of the body), each "
+      "a\n"
       "grid of face_points x face_points.");
   type.def_property_readonly("position", &Litter::positions,
                              "(pups, points, 3) positions of all points [length], of float32 or\n"
@@ -235,17 +247,15 @@ void add_state(LitterType& type) {
   type.def_property_readonly(
       "hash", hash_text,
       "The hash of the state, as `pupflow run` prints it: equal for equal bits.");
-  type.def_property_readonly(
-      "warnings", warnings_of,
-      "The impossible states so far, the first of each kind, as messages.");
+  type.def_property_readonly("warnings", warnings_of,
+                             "The impossible states so far, the first of each kind, as messages.");
   type.def_property("threads", &Litter::threads, &Litter::set_threads,
                     "Threads that share a step; results keep their bits.");
 }
 
 void add_methods(LitterType& type) {
   type.def(
-      "step",
-      [](Litter& litter, const py::object& count) { litter.step(whole_number(count)); },
+      "step", [](Litter& litter, const py::object& count) { litter.step(whole_number(count)); },
       py::arg("count") = 1, kStepDoc);
   type.def(
       "record",
@@ -259,12 +269,14 @@ void add_methods(LitterType& type) {
       "observe", [](Litter& litter) { return dict_of(litter.observe()); },
       "observe()\n\nThe observables of the litter after the last step: a dict by name. Those that\n"
       "compare with an earlier state (flow, membership_flow) are nan before the first step.");
-  type.def("copy", &Litter::copy, "copy()\n\nA litter of its own that goes on bit for bit like this one.");
+  type.def("copy", &Litter::copy,
+           "copy()\n\nA litter of its own that goes on bit for bit like this one.");
   type.def("__copy__", &Litter::copy);
   type.def("__deepcopy__", [](Litter& litter, const py::dict&) { return litter.copy(); });
-  type.def("save", save, py::arg("path"), py::arg("force") = false,
-           "save(path, force=False)\n\nWrites a checkpoint, from which load() or `pupflow run --from` "
-           "goes on bit for bit.\nforce: replace a file that exists.");
+  type.def(
+      "save", save, py::arg("path"), py::arg("force") = false,
+      "save(path, force=False)\n\nWrites a checkpoint, from which load() or `pupflow run --from` "
+      "goes on bit for bit.\nforce: replace a file that exists.");
   type.def("image", image, py::arg("width") = 1280, py::arg("height") = 960, py::kw_only(),
            py::arg("color_by") = "tb", py::arg("colormap") = py::none(),
            py::arg("scale") = py::none(), py::arg("camera") = view::Camera::kUsual,
@@ -308,8 +320,9 @@ void add_litter(py::module_& module) {
       "All fields of an afferent by name, arrays (pups, points), as attributes and as items.");
   add_short_ways(type);
   finish(type);
-  module.def("load", load, py::arg("path"),
-             "load(path)\n\nThe litter of a checkpoint, which goes on bit for bit like the one saved.");
+  module.def(
+      "load", load, py::arg("path"),
+      "load(path)\n\nThe litter of a checkpoint, which goes on bit for bit like the one saved.");
 }
 
 }  // namespace pupflow::python

@@ -16,10 +16,15 @@ namespace pupflow::python {
 namespace {
 
 constexpr const char* kRunDoc =
-    "Steps a whole litter (parameter steps) and returns the means over the steps after discard, as\n"
-    "`pupflow run` prints them: a dict of the observables and exposed_sd. NaN where no step is left.\n"
+    "run(scene=None, **parameters)\n"
     "\n"
-    "scene and parameters as for Litter. The GIL is released: runs in several threads run at once.\n"
+    "Steps a whole litter (parameter steps) and returns the means over the steps after discard, "
+    "as\n"
+    "`pupflow run` prints them: a dict of the observables and exposed_sd. NaN where no step is "
+    "left.\n"
+    "\n"
+    "scene and parameters as for Litter. The GIL is released: runs in several threads run at "
+    "once.\n"
     "A litter in an impossible state gives a RuntimeWarning. Raises BadNumbers.";
 
 /// run_to_end without the GIL.
@@ -65,5 +70,5 @@ PYBIND11_MODULE(_core, module) {
   add_litter(module);
   add_tables(module);
   module.def("run", run, py::arg("scene") = py::none(), kRunDoc);
-  module.def("scenes", scenes, "The shipped scenes: a dict of their titles by name.");
+  module.def("scenes", scenes, "scenes()\n\nThe shipped scenes: a dict of their titles by name.");
 }

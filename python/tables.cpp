@@ -72,7 +72,8 @@ void add_tables(py::module_& module) {
   module.def(
       "fields", field_tables,
       "fields()\n\nThe tables of what comes out: 'litter' (observe()), 'run' (run()), 'pup' and "
-      "'afferent',\neach a dict of rows by name. A row is a dict of symbol, label, unit, kind, low, "
+      "'afferent',\neach a dict of rows by name. A row is a dict of symbol, label, unit, kind, "
+      "low, "
       "high,\ncategories, equation and doc.");
 }
 

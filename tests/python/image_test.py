@@ -1,6 +1,9 @@
 """Pictures as arrays are those of `pupflow render`."""
 
 import pathlib
+import shutil
+import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -31,6 +34,16 @@ class Image(unittest.TestCase):
         np.testing.assert_array_equal(other, self.rendered(
             "--color-by", "exposed", "--colormap", "cividis", "--scale", "0.5,1", "--camera", "top", "--no-bar"))
         self.assertFalse(np.array_equal(image, other))
+
+    def test_without_the_graphics_module_only_pictures_fail(self):
+        package = pathlib.Path(pupflow.__file__).parent
+        code = "import pupflow; litter = pupflow.Litter('cold'); litter.step(); litter.image(64, 64, bar=False)"
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(package, pathlib.Path(folder) / "pupflow")
+            child = subprocess.run([sys.executable, "-c", code], env={"PYTHONPATH": folder},
+                                   capture_output=True, text=True)
+        self.assertRegex(child.stderr, "RuntimeError: no graphics: the module is neither .*libpupflow_graphics.so nor "
+                         ".*apt install")
 
     def test_changes_no_bit(self):
         other = self.litter.copy()

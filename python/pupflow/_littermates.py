@@ -91,13 +91,21 @@ class Littermates:
 
     def observation_space(self, agent):
         """A gymnasium Dict of boxes: afferents (6, face_points, face_points), tb (1,), sides (2,)."""
+        return self._observation_space
+
+    def action_space(self, agent):
+        """A gymnasium Box, as wide as what a pup does by itself: drive, g, pi / 2 rad/s."""
+        return self._action_space
+
+    @functools.cached_property
+    def _observation_space(self):
         k = self._start.face_points
         shapes = {"afferents": (6, k, k), "tb": (1,), "sides": (2,)}
         return _spaces().Dict({name: _spaces().Box(-np.inf, np.inf, shape, np.float64)
                                for name, shape in shapes.items()})
 
-    def action_space(self, agent):
-        """A gymnasium Box, as wide as what a pup does by itself: drive, g, pi / 2 rad/s."""
+    @functools.cached_property
+    def _action_space(self):
         own = {"force": self._start.drive, "heat": self._start.g, "turn": math.pi / 2}
         high = np.concatenate([np.full(_CONTROLS[name][0], own[name]) for name in self._actions])
         return _spaces().Box(-high, high, dtype=np.float64)

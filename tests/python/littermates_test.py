@@ -1,11 +1,15 @@
 """littermates() has the shape of PettingZoo's ParallelEnv."""
 
 import math
+import sys
+import types
 import unittest
+from unittest import mock
 
 import numpy as np
 
 import pupflow
+from pupflow import _littermates
 
 
 class Littermates(unittest.TestCase):
@@ -63,6 +67,34 @@ class Littermates(unittest.TestCase):
         env = pupflow.littermates(pups=2, reward=lambda litter: 10 * litter.huddling)
         env.reset()
         self.assertEqual(env.step({})[1], {"pup_0": 0.0, "pup_1": 0.0})
+
+    def test_uses_the_packages_where_they_are(self):
+        class ParallelEnv:
+            pass
+
+        class Box:
+            def __init__(self, low, high, shape=None, dtype=None):
+                self.high, self.shape, self.dtype = high, shape, dtype
+
+        spaces = types.SimpleNamespace(Box=Box, Dict=dict)
+        stand_ins = {"pettingzoo": types.SimpleNamespace(ParallelEnv=ParallelEnv),
+                     "gymnasium": types.SimpleNamespace(spaces=spaces)}
+        forget = _littermates._environment.cache_clear
+        with mock.patch.dict(sys.modules, stand_ins):
+            forget()
+            self.addCleanup(forget)
+            env = pupflow.littermates("cold", actions=("force", "turn"), pups=2, face_points=3, drive=2)
+            self.assertIsInstance(env, ParallelEnv)
+            seen, action = env.observation_space("pup_0"), env.action_space("pup_1")
+        self.assertEqual({name: box.shape for name, box in seen.items()},
+                         {"afferents": (6, 3, 3), "tb": (1,), "sides": (2,)})
+        np.testing.assert_array_equal(action.high, [2, 2, 2, math.pi / 2])
+        self.assertIs(env.action_space("pup_1"), action)  # PettingZoo wants the same object each time
+
+    def test_without_them_only_spaces_are_missing(self):
+        with mock.patch.dict(sys.modules, {"gymnasium": None}):
+            with self.assertRaisesRegex(ImportError, "spaces are gymnasium's: pip install gymnasium"):
+                self.env.action_space("pup_0")
 
     def test_wrong_arguments(self):
         with self.assertRaisesRegex(ValueError, "'warmth' must be one of force, heat, turn"):

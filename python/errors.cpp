@@ -6,6 +6,7 @@
 #include "app/io/failure.h"
 #include "app/io/nearest.h"
 #include "app/io/text.h"
+#include "python/docstrings.h"
 
 namespace pupflow::python {
 
@@ -62,12 +63,8 @@ void set_known(const py::object& self, const py::str& name, const py::object& va
 }  // namespace
 
 void add_errors(py::module_& module) {
-  bad_numbers_type = PyErr_NewExceptionWithDoc(
-      "pupflow.BadNumbers",
-      "A number became infinite or NaN, or a body lost all proportion.\n\n"
-      "kind, stage, step, pup and point say where, as far as they are known (-1: no single one).\n"
-      "The litter stays as the step left it and takes no more steps.",
-      PyExc_ArithmeticError, nullptr);
+  bad_numbers_type = PyErr_NewExceptionWithDoc("pupflow.BadNumbers", kBadNumbersDoc,
+                                               PyExc_ArithmeticError, nullptr);
   module.add_object("BadNumbers", bad_numbers_type);
   py::register_exception_translator(translate);
 }

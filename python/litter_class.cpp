@@ -15,6 +15,7 @@
 #include "app/io/text.h"
 #include "app/view/camera.h"
 #include "python/arrays.h"
+#include "python/docstrings.h"
 #include "python/errors.h"
 #include "python/image.h"
 #include "python/litter.h"
@@ -23,51 +24,6 @@
 
 namespace pupflow::python {
 namespace {
-
-using Shared = std::shared_ptr<Litter>;
-
-constexpr const char* kLitterDoc =
-    "Litter(scene=None, **parameters)\n"
-    "\n"
-    "A litter of pups in its arena.\n"
-    "\n"
-    "scene: the name of a shipped scene (pupflow.scenes()), or the path of a scene file.\n"
-    "parameters: any parameter by name, over those of the scene: Litter('cold', seed=1, ta=0.3).\n"
-    "\n"
-    "Its attributes are the fields of its pups (numpy arrays) and its parameters. All of them are "
-    "also\n"
-    "in three groups: params (parameters), pup (fields of a pup), afferent (fields of an afferent, "
-    "a\n"
-    "point of a pup). Where a name stands for two things, the attribute is the first of: control, "
-    "field,\n"
-    "parameter; so heading is the direction of travel, and params.heading what a pup steers "
-    "about.\n"
-    "\n"
-    "Arrays show the state after the last step. They are read-only and keep their numbers when "
-    "the\n"
-    "litter is stepped; read the attribute again for the next state. A field that the last step "
-    "did not\n"
-    "record raises RuntimeError: strain, until record('strain'), and a few right after load().\n"
-    "\n"
-    "Litters may be stepped in several threads at once, each litter by one thread at a time.";
-
-constexpr const char* kStepDoc =
-    "step(count=1)\n"
-    "\n"
-    "Takes count steps. Other threads run meanwhile, and Ctrl-C ends the call between two steps.\n"
-    "Raises BadNumbers, then and at each later call.";
-
-constexpr const char* kImageDoc =
-    "image(width=1280, height=960, *, color_by='tb', colormap=None, scale=None, "
-    "camera='orbit:30,35',\n"
-    "      bar=True)\n"
-    "\n"
-    "A picture of the litter: a numpy array (height, width, 3) of uint8. Needs no display.\n"
-    "\n"
-    "color_by: a field of a pup or an afferent. colormap and scale (low, high): by default the "
-    "field's.\n"
-    "camera: 'top', 'side' or 'orbit:azimuth,elevation[,distance]'. bar: draw the legend.\n"
-    "Raises RuntimeError where there is no OpenGL, with what to install.";
 
 using LitterType = py::class_<Litter, std::shared_ptr<Litter>>;
 
@@ -216,41 +172,27 @@ void add_action(LitterType& type, const char* name, py::array (Litter::*array)()
 }
 
 void add_actions(LitterType& type) {
-  add_action(
-      type, "force", &Litter::force,
-      "(pups, 3) acceleration of each pup [length/s^2] in the steps to come, added to gravity "
-      "and\ndrive. Writable: litter.force[3] = (1, 0, 0).");
-  add_action(type, "heat", &Litter::heat,
-             "(pups,) heat of each pup [normalised/s] in the steps to come, added to g. Writable.\n"
-             "(params.heat is the parameter of that name.)");
-  add_action(type, "turn", &Litter::turn,
-             "(pups,) turn of each pup [rad/s] in the steps to come, in place of its own; nan: its "
-             "own.\nWritable. (pup.turn is the turn that pups took in the last step.)");
+  add_action(type, "force", &Litter::force, kForceDoc);
+  add_action(type, "heat", &Litter::heat, kHeatDoc);
+  add_action(type, "turn", &Litter::turn, kTurnDoc);
 }
 
 /// What is of the litter as a whole.
 void add_state(LitterType& type) {
-  type.def_property_readonly(
+  const auto add = [&](const char* name, const auto& get, const char* doc) {
+    type.def_property_readonly(name, get, doc);
+  };
+  add(
       "steps_done", [](const Litter& l) { return l.simulation().steps_done(); }, "Steps taken.");
-  type.def_property_readonly(
+  add(
       "time", [](const Litter& l) { return l.simulation().time(); }, "Model time [s].");
-  type.def_property_readonly(
-      "points", [](const Litter& l) { return l.simulation().points(); },
-      "Points of a pup, 6 face_points^2: face by face (+x, +y, +z, -x, -y, -z of the body), each "
-      "a\n"
-      "grid of face_points x face_points.");
-  type.def_property_readonly("position", &Litter::positions,
-                             "(pups, points, 3) positions of all points [length], of float32 or\n"
-                             "float64 as precision is.");
-  type.def_property_readonly("velocity", &Litter::velocities,
-                             "(pups, points, 3) velocities of all points [length/s].");
-  type.def_property_readonly(
-      "hash", hash_text,
-      "The hash of the state, as `pupflow run` prints it: equal for equal bits.");
-  type.def_property_readonly("warnings", warnings_of,
-                             "The impossible states so far, the first of each kind, as messages.");
-  type.def_property("threads", &Litter::threads, &Litter::set_threads,
-                    "Threads that share a step; results keep their bits.");
+  add(
+      "points", [](const Litter& l) { return l.simulation().points(); }, kPointsDoc);
+  add("position", &Litter::positions, kPositionDoc);
+  add("velocity", &Litter::velocities, kVelocityDoc);
+  add("hash", hash_text, kHashDoc);
+  add("warnings", warnings_of, kWarningsDoc);
+  type.def_property("threads", &Litter::threads, &Litter::set_threads, kThreadsDoc);
 }
 
 void add_methods(LitterType& type) {
@@ -262,21 +204,13 @@ void add_methods(LitterType& type) {
       [](Litter& litter, const std::string& field) {
         litter.record(io::named_field(field, "record"));
       },
-      py::arg("field"),
-      "record(field)\n\nHas the steps to come record what the field of that name shows; before the "
-      "first step, at once.\nOnly strain needs it, which costs time.");
+      py::arg("field"), kRecordDoc);
   type.def(
-      "observe", [](Litter& litter) { return dict_of(litter.observe()); },
-      "observe()\n\nThe observables of the litter after the last step: a dict by name. Those that\n"
-      "compare with an earlier state (flow, membership_flow) are nan before the first step.");
-  type.def("copy", &Litter::copy,
-           "copy()\n\nA litter of its own that goes on bit for bit like this one.");
+      "observe", [](Litter& litter) { return dict_of(litter.observe()); }, kObserveDoc);
+  type.def("copy", &Litter::copy, kCopyDoc);
   type.def("__copy__", &Litter::copy);
   type.def("__deepcopy__", [](Litter& litter, const py::dict&) { return litter.copy(); });
-  type.def(
-      "save", save, py::arg("path"), py::arg("force") = false,
-      "save(path, force=False)\n\nWrites a checkpoint, from which load() or `pupflow run --from` "
-      "goes on bit for bit.\nforce: replace a file that exists.");
+  type.def("save", save, py::arg("path"), py::arg("force") = false, kSaveDoc);
   type.def("image", image, py::arg("width") = 1280, py::arg("height") = 960, py::kw_only(),
            py::arg("color_by") = "tb", py::arg("colormap") = py::none(),
            py::arg("scale") = py::none(), py::arg("camera") = view::Camera::kUsual,
@@ -311,18 +245,12 @@ void add_litter(py::module_& module) {
   add_state(type);
   add_actions(type);
   add_methods(type);
-  add_group<parameters>(module, type, "Params", "params",
-                        "All parameters by name, as attributes and as items.");
-  add_group<pup_fields>(module, type, "PupFields", "pup",
-                        "All fields of a pup by name, arrays (pups,), as attributes and as items.");
-  add_group<afferent_fields>(
-      module, type, "AfferentFields", "afferent",
-      "All fields of an afferent by name, arrays (pups, points), as attributes and as items.");
+  add_group<parameters>(module, type, "Params", "params", kParamsDoc);
+  add_group<pup_fields>(module, type, "PupFields", "pup", kPupDoc);
+  add_group<afferent_fields>(module, type, "AfferentFields", "afferent", kAfferentDoc);
   add_short_ways(type);
   finish(type);
-  module.def(
-      "load", load, py::arg("path"),
-      "load(path)\n\nThe litter of a checkpoint, which goes on bit for bit like the one saved.");
+  module.def("load", load, py::arg("path"), kLoadDoc);
 }
 
 }  // namespace pupflow::python

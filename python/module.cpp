@@ -6,6 +6,7 @@
 #include "app/io/scene_file.h"
 #include "pupflow/ensemble.h"
 #include "pupflow/version.h"
+#include "python/docstrings.h"
 #include "python/errors.h"
 #include "python/litter_class.h"
 #include "python/signals.h"
@@ -14,18 +15,6 @@
 
 namespace pupflow::python {
 namespace {
-
-constexpr const char* kRunDoc =
-    "run(scene=None, **parameters)\n"
-    "\n"
-    "Steps a whole litter (parameter steps) and returns the means over the steps after discard, "
-    "as\n"
-    "`pupflow run` prints them: a dict of the observables and exposed_sd. NaN where no step is "
-    "left.\n"
-    "\n"
-    "scene and parameters as for Litter. The GIL is released: runs in several threads run at "
-    "once.\n"
-    "A litter in an impossible state gives a RuntimeWarning. Raises BadNumbers.";
 
 /// run_to_end without the GIL.
 RunResult run_watched(const Params& params) {
@@ -70,5 +59,5 @@ PYBIND11_MODULE(_core, module) {
   add_litter(module);
   add_tables(module);
   module.def("run", run, py::arg("scene") = py::none(), kRunDoc);
-  module.def("scenes", scenes, "scenes()\n\nThe shipped scenes: a dict of their titles by name.");
+  module.def("scenes", scenes, kScenesDoc);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pupflow/observer.h"
+#include "python/docstrings.h"
 #include "python/litter_class.h"
 #include "python/values.h"
 
@@ -66,15 +67,8 @@ py::dict field_tables() {
 
 void add_tables(py::module_& module) {
   module.def(
-      "parameters", [] { return rows(parameters()); },
-      "parameters()\n\nThe table of parameters: a dict of rows by name. A row is a dict of symbol, "
-      "title, unit,\ndefault, range, choices, doc and source.");
-  module.def(
-      "fields", field_tables,
-      "fields()\n\nThe tables of what comes out: 'litter' (observe()), 'run' (run()), 'pup' and "
-      "'afferent',\neach a dict of rows by name. A row is a dict of symbol, label, unit, kind, "
-      "low, "
-      "high,\ncategories, equation and doc.");
+      "parameters", [] { return rows(parameters()); }, kParametersDoc);
+  module.def("fields", field_tables, kFieldsDoc);
 }
 
 }  // namespace pupflow::python

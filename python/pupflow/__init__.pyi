@@ -517,8 +517,8 @@ class Litter:
 
     Its attributes are the fields of its pups (numpy arrays) and its parameters. All of them are also
     in three groups: params (parameters), pup (fields of a pup), afferent (fields of an afferent, a
-    point of a pup). Where a name stands for two things, the attribute is the first of: control, field,
-    parameter; so heading is the direction of travel, and params.heading what a pup steers about.
+    point of a pup). Where a name stands for several things, the attribute is the first of: control,
+    field, parameter. So heading is the direction of travel, and params.heading what a pup steers about.
 
     Arrays show the state after the last step. They are read-only and keep their numbers when the
     litter is stepped; read the attribute again for the next state. A field that the last step did not
@@ -645,8 +645,8 @@ class Litter:
     def flow_lag(self, value: int) -> None: ...
     @property
     def force(self) -> _Numbers:
-        """(pups, 3) acceleration of each pup [length/s^2] in the steps to come, added to gravity and
-        drive. Writable: litter.force[3] = (1, 0, 0).
+        """(pups, 3) acceleration of each pup [length/s^2] in the steps to come, added to gravity and drive.
+        Writable: litter.force[3] = (1, 0, 0).
         """
     @force.setter
     def force(self, value: ArrayLike) -> None: ...
@@ -695,7 +695,7 @@ class Litter:
     @property
     def heat(self) -> _Numbers:
         """(pups,) heat of each pup [normalised/s] in the steps to come, added to g. Writable.
-        (params.heat is the parameter of that name.)
+        params.heat is the parameter of that name.
         """
     @heat.setter
     def heat(self, value: ArrayLike) -> None: ...
@@ -760,8 +760,8 @@ class Litter:
         Other pups that the pup touches.
         """
     def observe(self) -> Observables:
-        """The observables of the litter after the last step: a dict by name. Those that
-        compare with an earlier state (flow, membership_flow) are nan before the first step.
+        """The observables of the litter after the last step: a dict by name. Those that compare with an
+        earlier state (flow, membership_flow) are nan before the first step.
         """
     @property
     def params(self) -> Params:
@@ -778,14 +778,12 @@ class Litter:
     def point_radius(self, value: float) -> None: ...
     @property
     def points(self) -> int:
-        """Points of a pup, 6 face_points^2: face by face (+x, +y, +z, -x, -y, -z of the body), each a
-        grid of face_points x face_points.
+        """Points of a pup, 6 face_points^2: face by face (+x, +y, +z, -x, -y, -z of the body), each a grid of
+        face_points x face_points.
         """
     @property
     def position(self) -> NDArray[np.floating[Any]]:
-        """(pups, points, 3) positions of all points [length], of float32 or
-        float64 as precision is.
-        """
+        """(pups, points, 3) positions of all points [length], of float32 or float64 as precision is."""
     @property
     def precision(self) -> Literal["float", "double"]:
         """precision: float or double; double by default.
@@ -962,8 +960,8 @@ class Litter:
     def tp(self, value: float) -> None: ...
     @property
     def turn(self) -> _Numbers:
-        """(pups,) turn of each pup [rad/s] in the steps to come, in place of its own; nan: its own.
-        Writable. (pup.turn is the turn that pups took in the last step.)
+        """(pups,) turn of each pup [rad/s] in the steps to come, in place of its own; nan: its own. Writable.
+        pup.turn is the turn that pups took in the last step.
         """
     @turn.setter
     def turn(self, value: ArrayLike) -> None: ...
@@ -986,9 +984,9 @@ class Litter:
 
 def run(scene: str | PathLike[str] | None = None, *, ta: float = ..., alpha: float = ..., beta: float = ..., gravity: float = ..., contact: Literal["nearest", "mean", "sum"] = ..., tp: float = ..., k1: float = ..., k2: float = ..., g: float = ..., heat: Literal["exact", "euler"] = ..., tb0: float = ..., drive: float = ..., sigma: float = ..., v: float = ..., heading: Literal["course", "body"] = ..., pups: int = ..., face_points: int = ..., pup_radius: float = ..., point_radius: float = ..., arena_radius: float = ..., start: Literal["column", "carpet"] = ..., start_spread: float = ..., dt: float = ..., refinement: Literal["naive", "consistent"] = ..., integrator: Literal["predictive", "explicit"] = ..., steps: int = ..., discard: int = ..., flow_lag: int = ..., seed: int = ..., precision: Literal["float", "double"] = ...) -> Means:
     """Steps a whole litter (parameter steps) and returns the means over the steps after discard, as
-    `pupflow run` prints them: a dict of the observables and exposed_sd. NaN where no step is left.
+    `pupflow run` prints them: a dict of the observables and exposed_sd, nan where no step is left.
 
-    scene and parameters as for Litter. The GIL is released: runs in several threads run at once.
+    scene and parameters as for Litter. Threads that run litters do so at once, and Ctrl-C ends the call.
     A litter in an impossible state gives a RuntimeWarning. Raises BadNumbers.
     """
 def load(path: str | PathLike[str]) -> Litter:
@@ -996,13 +994,13 @@ def load(path: str | PathLike[str]) -> Litter:
 def scenes() -> dict[str, str]:
     """The shipped scenes: a dict of their titles by name."""
 def parameters() -> dict[str, dict[str, Any]]:
-    """The table of parameters: a dict of rows by name. A row is a dict of symbol, title, unit,
-    default, range, choices, doc and source.
+    """The table of parameters: a dict of rows by name. A row is a dict of symbol, title, unit, default,
+    range, choices, doc and source.
     """
 def fields() -> dict[str, dict[str, dict[str, Any]]]:
-    """The tables of what comes out: 'litter' (observe()), 'run' (run()), 'pup' and 'afferent',
-    each a dict of rows by name. A row is a dict of symbol, label, unit, kind, low, high,
-    categories, equation and doc.
+    """The tables of what comes out: 'litter' (observe()), 'run' (run()), 'pup' and 'afferent', each a dict
+    of rows by name. A row is a dict of symbol, label, unit, kind, low, high, categories, equation and
+    doc; low and high are None where the data decide.
     """
 def littermates(scene: str | PathLike[str] | None = None, *, actions: tuple[Literal["force", "heat", "turn"], ...] = ("turn",), steps_per_action: int = 10, reward: Callable[[Litter], ArrayLike] | None = None, ta: float = ..., alpha: float = ..., beta: float = ..., gravity: float = ..., contact: Literal["nearest", "mean", "sum"] = ..., tp: float = ..., k1: float = ..., k2: float = ..., g: float = ..., heat: Literal["exact", "euler"] = ..., tb0: float = ..., drive: float = ..., sigma: float = ..., v: float = ..., heading: Literal["course", "body"] = ..., pups: int = ..., face_points: int = ..., pup_radius: float = ..., point_radius: float = ..., arena_radius: float = ..., start: Literal["column", "carpet"] = ..., start_spread: float = ..., dt: float = ..., refinement: Literal["naive", "consistent"] = ..., integrator: Literal["predictive", "explicit"] = ..., steps: int = ..., discard: int = ..., flow_lag: int = ..., seed: int = ..., precision: Literal["float", "double"] = ...) -> Littermates:
     """    scene, parameters: as for Litter; the parameter steps is the length of an episode.

@@ -35,6 +35,16 @@ class Image(unittest.TestCase):
             "--color-by", "exposed", "--colormap", "cividis", "--scale", "0.5,1", "--camera", "top", "--no-bar"))
         self.assertFalse(np.array_equal(image, other))
 
+    def test_only_a_picture_loads_graphics_libraries(self):
+        code = """if True:
+            import re, pupflow
+            def graphics(): return re.findall("pupflow_graphics|libGL|libEGL|libglfw", open("/proc/self/maps").read())
+            litter = pupflow.Litter("cold"); litter.step(); litter.observe(); litter.hash
+            assert not graphics(), graphics()
+            litter.image(64, 64, bar=False)
+            assert "pupflow_graphics" in graphics()"""
+        subprocess.run([sys.executable, "-c", code], check=True)
+
     def test_without_the_graphics_module_only_pictures_fail(self):
         package = pathlib.Path(pupflow.__file__).parent
         code = "import pupflow; litter = pupflow.Litter('cold'); litter.step(); litter.image(64, 64, bar=False)"

@@ -41,8 +41,8 @@ class Threads(unittest.TestCase):
     def test_interrupts_end_a_call_between_steps(self):
         litter = pupflow.Litter("cold", pups=2)
         for call in (lambda: litter.step(10**12), lambda: pupflow.run("cold", steps=10**12)):
-            threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
             with self.assertRaises(KeyboardInterrupt):
+                threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
                 call()
         steps = litter.steps_done
         self.assertGreater(steps, 0)

@@ -28,8 +28,8 @@ Raises BadNumbers, then and at each later call.)";
 
 inline constexpr const char* kRecordDoc = R"(record(field)
 
-Has the steps to come record what the field of that name shows; before the first step, at once.
-Only strain needs it, which costs time.)";
+Has the steps to come record what the field of that name shows. Only strain needs it, which costs
+time.)";
 
 inline constexpr const char* kObserveDoc = R"(observe()
 

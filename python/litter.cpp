@@ -61,9 +61,7 @@ Litter::Litter(Simulation simulation)
 }
 
 std::shared_ptr<Litter> Litter::copy() {
-  simulation();
-  take_actions();
-  auto other = std::make_shared<Litter>(simulation_);
+  auto other = std::make_shared<Litter>(acted());
   other->observed_ = observed_;
   other->simulation_.set_observed(observed_);
   other->observer_ = observer_;
@@ -82,8 +80,7 @@ const Simulation& Litter::simulation() const {
 void Litter::step(std::int64_t count) {
   if (count < 0)
     throw py::value_error("step(" + std::to_string(count) + "): must be 0 or more steps");
-  simulation();
-  take_actions();
+  acted();
   forget();
   const Busy busy(*this);
   {
@@ -131,12 +128,16 @@ void Litter::set(const Parameter& parameter, py::handle value) {
   forget();
 }
 
-bool Litter::is_known(const LitterField& field) const {
-  return pupflow::is_known(field, simulation().view());
+bool Litter::knows(const LitterField& field) {
+  if (is_known(field, simulation().view())) return true;
+  // Some things are recorded as soon as they are observed.
+  simulation_.set_observed(observed_ | field.parts);
+  simulation_.set_observed(observed_);
+  return is_known(field, simulation_.view());
 }
 
-void Litter::require_known(const LitterField& field) const {
-  if (is_known(field)) return;
+void Litter::require_known(const LitterField& field) {
+  if (knows(field)) return;
   const std::string name(field.name);
   throw std::runtime_error("the last step did not record " + name + "; call record('" + name +
                            "') before the step");
@@ -198,7 +199,8 @@ void Litter::show_actions() {
   }
 }
 
-void Litter::take_actions() {
+const Simulation& Litter::acted() {
+  simulation();
   for (int pup = 0; pup < simulation_.pups(); ++pup) {
     Action action;
     std::copy_n(force_->begin() + 3 * pup, 3, action.force.begin());
@@ -206,18 +208,7 @@ void Litter::take_actions() {
     if (!std::isnan((*turn_)[pup])) action.turn = (*turn_)[pup];
     if (action != simulation_.action(pup)) simulation_.set_action(pup, action);
   }
-}
-
-Snapshot Litter::snapshot() {
-  simulation();
-  take_actions();
-  return simulation_.snapshot();
-}
-
-std::uint64_t Litter::hash() {
-  simulation();
-  take_actions();
-  return simulation_.hash();
+  return simulation_;
 }
 
 Observables Litter::observe() {

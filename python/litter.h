@@ -41,11 +41,10 @@ class Litter {
   /// TypeError and ValueError as python/values.h says.
   void set(const Parameter& parameter, py::handle value);
 
-  /// Whether the last step recorded what the field shows.
-  bool is_known(const LitterField& field) const;
+  /// Whether the last step recorded what the field shows, or it can be found out now.
+  bool knows(const LitterField& field);
 
-  /// Has the steps to come record what the field shows, beside all that they record anyway; before
-  /// the first step, at once.
+  /// Has the steps to come record what the field shows, beside all that they record anyway.
   void record(const LitterField& field);
 
   /// A read-only array, (pups,) or (pups, points), made once per step. Throws RuntimeError unless
@@ -62,9 +61,8 @@ class Litter {
   py::array heat() const;
   py::array turn() const;
 
-  /// A snapshot, or a hash, of the litter with these actions. Throw ValueError where one is infinite.
-  Snapshot snapshot();
-  std::uint64_t hash();
+  /// The simulation with these actions. Throws ValueError where one is infinite.
+  const Simulation& acted();
 
   /// The observables of the state as it is. Those that compare with an earlier state are NaN before
   /// the first step.
@@ -79,8 +77,7 @@ class Litter {
   using Numbers = std::shared_ptr<std::vector<double>>;
 
   void show_actions();  // of the simulation, in the arrays
-  void take_actions();  // from the arrays
-  void require_known(const LitterField& field) const;
+  void require_known(const LitterField& field);
   py::array vectors(std::string_view name, PointVectors LitterView::*member);
   void forget();  // arrays that show the state before
   void run(std::int64_t count);

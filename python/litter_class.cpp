@@ -62,18 +62,18 @@ void add_attribute(py::class_<Owner, Options...>& type, const LitterField& field
       words(field, field.of_afferents ? "(pups, points)" : "(pups,)").c_str());
 }
 
-bool is_known(const Litter&, const Parameter&) {
+bool knows(Litter&, const Parameter&) {
   return true;
 }
-bool is_known(const Litter& litter, const LitterField& field) {
-  return litter.is_known(field);
+bool knows(Litter& litter, const LitterField& field) {
+  return litter.knows(field);
 }
 
 template <auto Table>
 py::list names_of(const Group<Table>& group) {
   py::list names;
   for (const auto& row : Table()) {
-    if (is_known(*group.litter, row)) names.append(text(row.name));
+    if (knows(*group.litter, row)) names.append(text(row.name));
   }
   return names;
 }
@@ -110,7 +110,7 @@ std::int64_t whole_number(const py::object& value) {
 }
 
 std::string hash_text(Litter& litter) {
-  return io::formatted("%016" PRIx64, litter.hash());
+  return io::formatted("%016" PRIx64, litter.acted().hash());
 }
 
 std::string path_text(const py::object& path) {
@@ -140,7 +140,7 @@ void save(Litter& litter, const py::object& path, bool force) {
                     (file + ": exists already; use force=True to replace it").c_str());
     throw py::error_already_set();
   }
-  io::write_checkpoint(file, force, litter.snapshot());
+  io::write_checkpoint(file, force, litter.acted().snapshot());
 }
 
 std::shared_ptr<Litter> load(const py::object& path) {

@@ -818,8 +818,8 @@ class Litter:
     @pups.setter
     def pups(self, value: int) -> None: ...
     def record(self, field: str) -> None:
-        """Has the steps to come record what the field of that name shows; before the first step, at once.
-        Only strain needs it, which costs time.
+        """Has the steps to come record what the field of that name shows. Only strain needs it, which costs
+        time.
         """
     @property
     def refinement(self) -> Literal["naive", "consistent"]:

@@ -41,7 +41,8 @@ std::optional<RunResult> run_to_end(const Params& params, const std::function<bo
       observer->pass(simulation);
     }
   }
-  RunResult result{simulation.status(), means.means(), means.exposed_sd(), {}, std::move(series)};
+  RunResult result{simulation.status(),     means.means(),     means.exposed_sd(), {},
+                   simulation.steps_done(), simulation.hash(), std::move(series)};
   for (const Warning& warning : simulation.warnings()) result.warnings.add(warning);
   return result;
 }

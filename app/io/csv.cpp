@@ -20,8 +20,8 @@ std::vector<std::string> metrics_columns() {
   return columns;
 }
 
-std::vector<std::string> metrics_cells(const LitterView& litter, const Observables& seen) {
-  std::vector<std::string> cells{std::to_string(litter.step), number_text(litter.time)};
+std::vector<std::string> metrics_cells(std::int64_t step, double time, const Observables& seen) {
+  std::vector<std::string> cells{std::to_string(step), number_text(time)};
   for (const ObservableField& row : observables()) cells.push_back(number_text(seen.*row.value));
   return cells;
 }
@@ -101,7 +101,7 @@ MetricsCsv::MetricsCsv(const std::string& path, bool force, const Simulation& st
     : file_(path, force, provenance(start), joined_cells(metrics_columns())) {}
 
 void MetricsCsv::add(const LitterView& litter, const Observables& seen) {
-  file_.row(metrics_cells(litter, seen));
+  file_.row(metrics_cells(litter.step, litter.time, seen));
 }
 
 PupsCsv::PupsCsv(const std::string& path, bool force, const Simulation& start)

@@ -71,7 +71,7 @@ class PupsCsv {
 
 /// The columns of either, and the cells of a row, or of the rows of all pups.
 std::vector<std::string> metrics_columns();
-std::vector<std::string> metrics_cells(const LitterView& litter, const Observables& seen);
+std::vector<std::string> metrics_cells(std::int64_t step, double time, const Observables& seen);
 std::vector<std::string> pups_columns();
 std::vector<std::vector<std::string>> pups_cells(const LitterView& litter);
 

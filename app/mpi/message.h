@@ -75,8 +75,8 @@ Task unpack_task(const std::string& bytes);
 /// A result as the bytes of its parts: those of fixed size, then the series.
 inline std::string pack_result(const Result& result) {
   const RunResult& r = result.result;
-  std::string bytes =
-      pack(result.run) + pack(r.status) + pack(r.means) + pack(r.exposed_sd) + pack(r.warnings);
+  std::string bytes = pack(result.run) + pack(r.status) + pack(r.means) + pack(r.exposed_sd) +
+                      pack(r.warnings) + pack(r.steps) + pack(r.hash);
   for (const Sample& sample : r.series) bytes += pack(sample);
   return bytes;
 }
@@ -94,6 +94,8 @@ inline Result unpack_result(std::string_view bytes) {
   take(r.means);
   take(r.exposed_sd);
   take(r.warnings);
+  take(r.steps);
+  take(r.hash);
   r.series.reserve(bytes.size() / sizeof(Sample));
   while (!bytes.empty()) take(r.series.emplace_back());
   return result;

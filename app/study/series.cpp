@@ -27,13 +27,6 @@ bool is_series(const std::string& name) {
          });
 }
 
-/// Those of the metrics CSV of a run.
-std::string columns() {
-  std::string names = "step,time";
-  for (const Field& field : observables()) names.append(",").append(field.name);
-  return names;
-}
-
 void make_series_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directory(series_folder(folder), error);
@@ -70,12 +63,13 @@ void write_series(const std::string& folder, const Design& design, std::int64_t 
   if (design.record_every == 0) return;
   make_series_folder(folder);
   const Params params = design.params_of(run);
-  io::CsvFile csv(series_path(folder, design, run), true, io::provenance(params), columns());
+  io::CsvFile csv(series_path(folder, design, run), true, io::provenance(params),
+                  io::joined(io::metrics_columns(), ","));
   for (const Sample& sample : result.series) {
-    csv.cell(sample.step).cell(sample.time);
-    for (const ObservableField& row : observables()) csv.cell(sample.seen.*row.value);
-    csv.end_row();
+    csv.row(io::metrics_cells(sample.step, sample.time, sample.seen));
   }
+  csv.comment("step = " + std::to_string(result.steps));
+  csv.comment("hash = " + io::hash_text(result.hash));
   for (const Warning& warning : result.warnings.all()) csv.comment("warning: " + warning.message());
   if (!result.status.ok()) csv.comment("ended early: " + result.status.message());
   csv.commit();

@@ -72,7 +72,7 @@ Verdict verify_metrics(const std::string& path, const Options& options) {
       progress.update(litter.steps_done());
     });
     if (const auto wrong = went_wrong(litter)) return {false, *wrong};
-    const Cells cells = io::metrics_cells(litter, observer.observe(litter));
+    const Cells cells = io::metrics_cells(step, litter.time(), observer.observe(litter));
     if (const auto other = compare(at_step(step), file.columns(), *row, cells)) {
       return {false, *other};
     }

@@ -25,6 +25,8 @@ struct RunResult {
   Observables means;           // over the steps after `discard`
   double exposed_sd = 0;       // standard deviation of a pup's A over time, mean over pups
   Warnings warnings;           // of the steps that were taken
+  std::int64_t steps = 0;      // that were taken
+  std::uint64_t hash = 0;      // of the litter after them (Simulation::hash)
   std::vector<Sample> series;  // after steps N, 2 N, ... for series_every = N
 };
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "bench/litter_state.h"
 #include "bench/measure.h"
+#include "engine/broad_phase.h"
 #include "engine/lanes.h"
+#include "engine/near.h"
 #include "engine/rotation.h"
 #include "pupflow/geometry.h"
 
@@ -27,33 +30,34 @@ double median_time(Work work) {
   return median(std::move(times));
 }
 
+/// Whether point i of `a` touches one of the points begin ... end - 1 of `b`.
+template <class Real>
+bool touches_one(const Candidates<Real>& a, int i, const Candidates<Real>& b, int begin, int end,
+                 Real reach) {
+  for (int j = begin; j < end; ++j) {
+    const Real dx = a.x[i] - b.x[j], dy = a.y[i] - b.y[j], dz = a.z[i] - b.z[j];
+    if (dx * dx + dy * dy + dz * dz < reach * reach) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 template <class Real>
-TightLitter<Real>::TightLitter(const Snapshot& state)
-    : params_(state.params), pups_(static_cast<int>(state.body_temperature.size())) {
+TightLitter<Real>::TightLitter(const Snapshot& snapshot)
+    : params_(snapshot.params), state_(state_of<Real>(snapshot)) {
   const auto rest = cube_sphere(params_.face_points, params_.pup_radius);
   cloud_ = make_cloud<Real>(rest);
-  for (auto& values : axis_) values.resize(static_cast<std::size_t>(pups_) * cloud_.stride);
-  for (int j = 0; j < pups_; ++j) {
+  for (int j = 0; j < state_.pups; ++j) {
     Eigen::Matrix3d linear = Eigen::Matrix3d::Zero();
-    for (int i = 0; i < cloud_.stride; ++i) {
-      const int point = std::min(i, cloud_.points - 1);
-      const std::size_t from = 3 * (static_cast<std::size_t>(j) * cloud_.points + point);
-      const std::size_t to = static_cast<std::size_t>(j) * cloud_.stride + i;
-      for (int axis = 0; axis < 3; ++axis) {
-        axis_[axis][to] = static_cast<Real>(state.positions[from + axis]);
-        axis_[axis + 3][to] = static_cast<Real>(state.velocities[from + axis]);
-      }
-      if (i == point) {
-        linear += Eigen::Vector3d(state.positions.data() + from) * rest[point].transpose();
-      }
+    for (int i = 0; i < state_.points; ++i) {
+      const std::size_t from = 3 * (state_.flat(j) + i);
+      linear += Eigen::Vector3d(snapshot.positions.data() + from) * rest[i].transpose();
     }
     linear_.push_back(linear);
-    measure_box(j);
   }
-  for (int first = 0; first < pups_; ++first) {
-    for (int second = first + 1; second < pups_; ++second) {
+  for (int first = 0; first < state_.pups; ++first) {
+    for (int second = first + 1; second < state_.pups; ++second) {
       Near a = near(first, second), b = near(second, first);
       if (a.count > 0 && b.count > 0) pairs_.emplace_back(std::move(a), std::move(b));
     }
@@ -62,45 +66,30 @@ TightLitter<Real>::TightLitter(const Snapshot& state)
 
 template <class Real>
 TightPup<Real> TightLitter<Real>::pup(int number) {
-  TightPup<Real> pup{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t row = static_cast<std::size_t>(number) * cloud_.stride;
-    pup.position[axis] = axis_[axis].data() + row;
-    pup.velocity[axis] = axis_[axis + 3].data() + row;
-  }
-  pup.count = cloud_.stride;
-  return pup;
-}
-
-template <class Real>
-void TightLitter<Real>::measure_box(int number) {
-  Box box{};
-  const TightPup<Real> points = pup(number);
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [low, high] =
-        std::minmax_element(points.position[axis], points.position[axis] + points.count);
-    box.low[axis] = static_cast<double>(*low);
-    box.high[axis] = static_cast<double>(*high);
-  }
-  boxes_.push_back(box);
+  const std::size_t row = state_.row(number);
+  State<Real>& s = state_;
+  return {{s.x.data() + row, s.y.data() + row, s.z.data() + row},
+          {s.vx.data() + row, s.vy.data() + row, s.vz.data() + row},
+          s.stride};
 }
 
 template <class Real>
 typename TightLitter<Real>::Near TightLitter<Real>::near(int number, int other) const {
   Near near;
   const double reach = 2 * params_.point_radius;
-  const std::size_t row = static_cast<std::size_t>(number) * cloud_.stride;
-  for (std::size_t i = row; i < row + cloud_.points; ++i) {
+  const Bounds<Real>& box = state_.bounds[other];
+  const std::size_t row = state_.row(number);
+  for (std::size_t i = row; i < row + state_.points; ++i) {
+    const Real place[3] = {state_.x[i], state_.y[i], state_.z[i]};
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis) {
-      const double x = static_cast<double>(axis_[axis][i]);
-      inside =
-          inside && x > boxes_[other].low[axis] - reach && x < boxes_[other].high[axis] + reach;
+      const auto x = static_cast<double>(place[axis]);
+      inside = inside && x > box.low[axis] - reach && x < box.high[axis] + reach;
     }
     if (!inside) continue;
-    near.x.push_back(axis_[0][i]);
-    near.y.push_back(axis_[1][i]);
-    near.z.push_back(axis_[2][i]);
+    near.x.push_back(place[0]);
+    near.y.push_back(place[1]);
+    near.z.push_back(place[2]);
   }
   near.count = static_cast<int>(near.x.size());
   for (auto* values : {&near.x, &near.y, &near.z}) {
@@ -117,9 +106,32 @@ double TightLitter<Real>::distance_tests() const {
 }
 
 template <class Real>
+auto TightLitter<Real>::least_search(int group) const -> LeastSearch {
+  const auto reach = static_cast<Real>(2 * params_.point_radius);
+  NearPoints<Real> first, second;
+  first.make_room(state_.stride);
+  second.make_room(state_.stride);
+  LeastSearch least;
+  BroadPhase<Real> broad_phase;
+  for (const NearPair& pair : broad_phase.near_pairs(state_.bounds, reach)) {
+    if (!balls_meet(state_.bounds[pair.first], state_.bounds[pair.second], reach)) continue;
+    least.pups += 2;
+    if (!find_near_points(state_, pair, reach, first, second)) continue;
+    const Candidates<Real>&a = first.candidates, &b = second.candidates;
+    for (int begin = 0; begin < b.count; begin += group) {
+      const int end = std::min(begin + group, b.count);
+      for (int i = 0; i < a.count; ++i) {
+        if (touches_one(a, i, b, begin, end, reach)) least.points += group;
+      }
+    }
+  }
+  return least;
+}
+
+template <class Real>
 Floors TightLitter<Real>::measure(const TightKernels<Real>& kernels) {
   const auto each = [&](auto&& work) {
-    for (int j = 0; j < pups_; ++j) work(pup(j));
+    for (int j = 0; j < state_.pups; ++j) work(pup(j));
   };
   Floors floors;
   const Real none[3] = {0, 0, 0};

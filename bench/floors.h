@@ -7,6 +7,7 @@
 #include "bench/tight.h"
 #include "engine/aligned.h"
 #include "engine/cloud.h"
+#include "engine/state.h"
 #include "pupflow/snapshot.h"
 
 namespace pupflow::bench {
@@ -29,8 +30,18 @@ class TightLitter {
   /// Each kernel once over the litter, and its time.
   Floors measure(const TightKernels<Real>& kernels);
 
-  /// How many pairs of points the contact search looks at.
+  /// How many pairs of points lie in each other's boxes.
   double distance_tests() const;
+
+  /// What a contact search by groups of points cannot leave out.
+  struct LeastSearch {
+    double pups = 0;    // whose points are looked through, one after the other: two a near pair
+    double points = 0;  // pairs of a point and a point of a group that it touches
+  };
+  /// Of groups of so many points.
+  LeastSearch least_search(int group) const;
+
+  int pups() const { return state_.pups; }
 
  private:
   struct Near {  // points of one pup that may touch another, in whole packs
@@ -39,16 +50,10 @@ class TightLitter {
   };
   TightPup<Real> pup(int number);
   Near near(int number, int other) const;
-  void measure_box(int number);
 
   Params params_;
   Cloud<Real> cloud_;
-  int pups_;
-  AlignedVector<Real> axis_[6];  // x, y, z, vx, vy, vz, as in State
-  struct Box {
-    double low[3], high[3];
-  };
-  std::vector<Box> boxes_;
+  State<Real> state_;
   std::vector<std::pair<Near, Near>> pairs_;
   std::vector<Eigen::Matrix3d> linear_;  // the linear part of each pup's fit
 };

@@ -19,10 +19,11 @@ struct Section {
   void (*measure)(int rounds, Verdicts& verdicts);
 };
 
-// Memory is measured in children that begin as big as their parent: these sections go first.
+// Memory is measured in children that begin as big as their parent: recording and scaling go first.
 const std::vector<Section> kSections = {
-    {"recording", recording}, {"scaling", scaling}, {"whole", whole_steps}, {"stages", stages},
-    {"threads", threads},     {"start", start_up},  {"pictures", pictures}};
+    {"recording", recording}, {"scaling", scaling},     {"whole", whole_steps},
+    {"stages", stages},       {"rules", contact_rules}, {"floors", step_floors},
+    {"threads", threads},     {"start", start_up},      {"pictures", pictures}};
 
 struct Options {
   int rounds = 11;

@@ -1,14 +1,21 @@
 // The litters that are measured.
 #pragma once
 
+#include <string>
+
 #include "pupflow/simulation.h"
 
 namespace pupflow::bench {
 
-/// Steps after which the paper's litter has landed and huddles or has spread.
-constexpr std::int64_t kSettled = 500;
+/// Steps after which a litter has landed.
+constexpr std::int64_t kLanded = 500;
+/// Steps after which the paper's litter also huddles or has spread.
+constexpr std::int64_t kSettled = 800;
 
-/// The paper's litter, seed 1, at T_a = 0.2 (huddling) and at T_a = 0.8 (dispersed).
+/// The paper's litter, seed 1.
+Params litter(double ambient_temperature, Precision precision);
+
+/// That at T_a = 0.2 (huddling) and at T_a = 0.8 (dispersed).
 Params huddling(Precision precision);
 Params dispersed(Precision precision);
 
@@ -18,10 +25,13 @@ Params crowd(int pups, Precision precision);
 /// `params` after `steps` steps. Throws std::runtime_error on a bad status.
 Simulation after(const Params& params, std::int64_t steps);
 
-/// `params` after kSettled steps; computed once and kept.
-const Simulation& settled(const Params& params);
+/// `params` after `steps` steps; computed once and kept.
+const Simulation& settled(const Params& params, std::int64_t steps = kSettled);
 
 /// "float" or "double".
 const char* precision_name(Precision precision);
+
+/// "T_a 0.2"
+std::string temperature_name(double ambient_temperature);
 
 }  // namespace pupflow::bench

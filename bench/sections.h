@@ -6,11 +6,19 @@
 
 namespace pupflow::bench {
 
-/// Whole steps of the huddling litter: the baselines and the engine.
+/// Whole steps of the huddling litter: the baselines and the engine. And of others: plain Eigen and
+/// the engine.
 void whole_steps(int rounds, Verdicts& verdicts);
 
 /// Stages, huddling, dispersed and rigid, and the least that their arithmetic takes here.
 void stages(int rounds, Verdicts& verdicts);
+
+/// The contact stage by rule, on the same positions.
+void contact_rules(int rounds, Verdicts& verdicts);
+
+/// How far a step is from the rate of memory, and the contact search from the least that it must
+/// compare, in sentences.
+void step_floors(int rounds, Verdicts& verdicts);
 
 /// Cost of a pup and step, and memory of a pup, at constant density.
 void scaling(int rounds, Verdicts& verdicts);

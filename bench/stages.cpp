@@ -107,16 +107,16 @@ template <class Real>
 void judge(const Litters<Real>& litters, Verdicts& verdicts) {
   const std::string in = " in " + litters.precision;
   const auto of = [](const Scene& scene, Stage stage) { return scene.times(stage); };
-  verdicts.at_most(
-      "contacts, dispersed through huddling," + in, 0.2,
+  verdicts.measured(
+      "contacts, dispersed through huddling," + in,
       ratio(of(litters.dispersed, Stage::contact), of(litters.huddling, Stage::contact)));
-  verdicts.at_most(
-      "shape matching, β = 0 through β = 0.5," + in, 0.75,
+  verdicts.measured(
+      "shape matching, β = 0 through β = 0.5," + in,
       ratio(of(litters.rigid, Stage::shape_match), of(litters.huddling, Stage::shape_match)));
   for (std::size_t i = 0; i < litters.variants.size(); ++i) {
     if (litters.variants[i].name != "avx2") continue;
-    verdicts.at_most(
-        "shape matching through its tight kernel (avx2)," + in, 1.5,
+    verdicts.measured(
+        "shape matching through its tight kernel (avx2)," + in,
         ratio(of(litters.huddling, Stage::shape_match), times(litters.floors[i], &Floors::match)));
   }
 }

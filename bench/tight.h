@@ -18,6 +18,8 @@ struct TightPup {
 
 template <class Real>
 struct TightKernels {
+  /// How many floats fill a register: as many points as the engine's contact search groups.
+  int group;
   /// v <- v + gain, x <- x + h v.
   void (*predict)(const TightPup<Real>& pup, const Real gain[3], Real h);
   /// The sums of 9 modes times position (modes one after the other), a multiple of them as

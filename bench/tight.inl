@@ -7,6 +7,13 @@ namespace {
 
 constexpr int kAlign = 64;
 constexpr int kModes = 9;
+#if defined(__AVX512F__)
+constexpr int kGroup = 16;
+#elif defined(__AVX2__)
+constexpr int kGroup = 8;
+#else
+constexpr int kGroup = 4;
+#endif
 
 template <class Real>
 Real* aligned(Real* p) {
@@ -108,7 +115,7 @@ int near_pairs(const Real* const a[3], int count_a, const Real* const b[3], int 
 }
 
 template <class Real>
-constexpr TightKernels<Real> kTable{predict<Real>, match<Real>, bounds<Real>, near_pairs<Real>};
+constexpr TightKernels<Real> kTable{kGroup, predict<Real>, match<Real>, bounds<Real>, near_pairs<Real>};
 
 }  // namespace
 

@@ -1,26 +1,21 @@
 // What was aimed at, what was measured, and whether the one reaches the other.
 #pragma once
 
+#include <map>
 #include <string>
-#include <vector>
 
 namespace pupflow::bench {
 
 class Verdicts {
  public:
-  void at_least(const std::string& what, double target, double measured);
-  void at_most(const std::string& what, double target, double measured);
+  /// `what` is a row of the table of aims in verdicts.cpp. Throws std::logic_error for any other.
+  void measured(const std::string& what, double value);
 
-  /// The table, in Markdown; nothing when it is empty.
+  /// The rows that were measured, in Markdown and in the order of the table; nothing without any.
   void print() const;
 
  private:
-  struct Row {
-    std::string what;
-    double target, measured;
-    bool at_least;
-  };
-  std::vector<Row> rows_;
+  std::map<std::string, double> measured_;
 };
 
 }  // namespace pupflow::bench

@@ -1,4 +1,4 @@
-// Whole steps of the huddling litter: the baselines and the engine.
+// Whole steps: the baselines and the engine.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,9 +17,9 @@ namespace {
 constexpr int kMeasuredSteps = 200;  // of the engine, in a round
 constexpr int kBaselineStates = 8;   // of these steps, from which the baselines take a step each
 
-/// States of the huddling litter over the steps on which the engine is measured.
-std::vector<Snapshot> baseline_states(Precision precision) {
-  Simulation simulation = settled(huddling(precision));
+/// States of the litter over the steps on which the engine is measured.
+std::vector<Snapshot> baseline_states(const Params& params) {
+  Simulation simulation = settled(params);
   std::vector<Snapshot> states;
   for (int i = 0; i < kBaselineStates; ++i) {
     simulation.run(kMeasuredSteps / kBaselineStates);
@@ -70,8 +70,11 @@ PlainEigen<Real> plain_eigen(const Snapshot& s) {
   return PlainEigen<Real>(s);
 }
 
-/// The contenders of the first table, in its order.
+/// The contenders of the huddling litter, in their order.
 enum Row { kPaper, kPaperByElement, kPaperBounds, kEigen, kEigenFloat, kDouble, kFloat };
+
+/// The contenders of other litters.
+enum Few { kFewEigen, kFewDouble, kFewFloat };
 
 struct Whole {
   std::vector<Contender> contenders;
@@ -88,8 +91,8 @@ void add_baseline(Whole& whole, const std::string& name, const std::vector<Snaps
   whole.proof.emplace_back(proof);
 }
 
-void add_engine(Whole& whole, const std::string& name, Precision precision) {
-  const Simulation start = settled(huddling(precision));
+void add_engine(Whole& whole, const std::string& name, const Params& params) {
+  const Simulation start = settled(params);
   Simulation end = start;
   step_time(end, kMeasuredSteps);
   whole.contenders.push_back({name, [=] {
@@ -104,16 +107,26 @@ void add_engine(Whole& whole, const std::string& name, Precision precision) {
 }
 
 Whole contenders() {
-  const auto states = baseline_states(Precision::double_);
-  const auto float_states = baseline_states(Precision::float_);
+  const Params in_double = huddling(Precision::double_), in_float = huddling(Precision::float_);
+  const auto states = baseline_states(in_double);
+  const auto float_states = baseline_states(in_float);
   Whole whole;
   add_baseline(whole, "paper's manner, all pairs, vectors", states, all_pairs);
   add_baseline(whole, "paper's manner, all pairs, by element", states, all_pairs_by_element);
   add_baseline(whole, "paper's manner, with bounds", states, with_bounds);
   add_baseline(whole, "plain Eigen, double", states, plain_eigen<double>);
   add_baseline(whole, "plain Eigen, float", float_states, plain_eigen<float>);
-  add_engine(whole, "pupflow, double", Precision::double_);
-  add_engine(whole, "pupflow, float", Precision::float_);
+  add_engine(whole, "pupflow, double", in_double);
+  add_engine(whole, "pupflow, float", in_float);
+  return whole;
+}
+
+Whole few_contenders(double ambient_temperature) {
+  const Params in_double = litter(ambient_temperature, Precision::double_);
+  Whole whole;
+  add_baseline(whole, "plain Eigen, double", baseline_states(in_double), plain_eigen<double>);
+  add_engine(whole, "pupflow, double", in_double);
+  add_engine(whole, "pupflow, float", litter(ambient_temperature, Precision::float_));
   return whole;
 }
 
@@ -127,6 +140,18 @@ void print_whole_steps(const Whole& whole, const std::vector<std::vector<double>
   }
 }
 
+using Times = std::vector<double>;
+
+/// A row of the second table.
+void print_temperature(double ambient_temperature, const Times& eigen, const Times& in_double,
+                       const Times& in_float, Verdicts& verdicts) {
+  std::printf("| %.1f | %.1f | %.1f | %.1f | %.1f | %.1f |\n", ambient_temperature, median(eigen),
+              median(in_double), ratio(eigen, in_double), median(in_float), ratio(eigen, in_float));
+  const std::string at = " against plain Eigen in double, " + temperature_name(ambient_temperature);
+  verdicts.measured("step in float" + at, ratio(eigen, in_float));
+  verdicts.measured("step in double" + at, ratio(eigen, in_double));
+}
+
 }  // namespace
 
 void whole_steps(int rounds, Verdicts& verdicts) {
@@ -134,10 +159,16 @@ void whole_steps(int rounds, Verdicts& verdicts) {
   const auto times = in_turns(whole.contenders, rounds);
   print_whole_steps(whole, times);
   const auto against = [&](Row slow, Row fast) { return ratio(times[slow], times[fast]); };
-  verdicts.at_least("step in float against the paper's manner", 1000, against(kPaper, kFloat));
-  verdicts.at_least("step in float against plain Eigen in double", 12, against(kEigen, kFloat));
-  verdicts.at_least("step in double against the paper's manner", 600, against(kPaper, kDouble));
-  verdicts.at_least("step in double against plain Eigen in double", 8, against(kEigen, kDouble));
+  verdicts.measured("step in float against the paper's manner", against(kPaper, kFloat));
+  verdicts.measured("step in double against the paper's manner", against(kPaper, kDouble));
+  std::printf(
+      "\n| T_a | plain Eigen, double, µs | pupflow, double | through it | pupflow, float |"
+      " through it |\n|---|---|---|---|---|---|\n");
+  print_temperature(0.2, times[kEigen], times[kDouble], times[kFloat], verdicts);
+  for (const double ta : {0.5, 0.8}) {
+    const auto few = in_turns(few_contenders(ta).contenders, rounds);
+    print_temperature(ta, few[kFewEigen], few[kFewDouble], few[kFewFloat], verdicts);
+  }
 }
 
 }  // namespace pupflow::bench

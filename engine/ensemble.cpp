@@ -5,6 +5,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "engine/rng.h"
@@ -12,12 +13,15 @@
 
 namespace pupflow {
 
-std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop) {
+std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop,
+                                    std::int64_t series_every) {
   Simulation simulation(params);
   RunMeans means(params.discard);
+  std::vector<Sample> series;
   // Flow compares with the state flow_lag steps before, so the observer begins that many steps
-  // before the means.
-  const std::int64_t first = std::max<std::int64_t>(params.discard - params.flow_lag, 0);
+  // before what is wanted.
+  const std::int64_t first =
+      series_every > 0 ? 0 : std::max<std::int64_t>(params.discard - params.flow_lag, 0);
   simulation.set_observed({});
   std::optional<Observer> observer;
   while (simulation.steps_done() < params.steps) {
@@ -26,13 +30,18 @@ std::optional<RunResult> run_to_end(const Params& params, const std::function<bo
     if (simulation.steps_done() == std::max<std::int64_t>(first - 1, 0))
       simulation.set_observed(kContactRecords);
     if (!simulation.step().ok()) break;
-    if (simulation.steps_done() > params.discard) {
-      means.add(simulation, observer->observe(simulation));
+    const std::int64_t step = simulation.steps_done();
+    const bool in_means = step > params.discard,
+               in_series = series_every > 0 && step % series_every == 0;
+    if (in_means || in_series) {
+      const Observables& seen = observer->observe(simulation);
+      if (in_means) means.add(simulation, seen);
+      if (in_series) series.push_back({step, simulation.time(), seen});
     } else if (observer) {
       observer->pass(simulation);
     }
   }
-  RunResult result{simulation.status(), means.means(), means.exposed_sd(), {}};
+  RunResult result{simulation.status(), means.means(), means.exposed_sd(), {}, std::move(series)};
   for (const Warning& warning : simulation.warnings()) result.warnings.add(warning);
   return result;
 }
@@ -60,14 +69,14 @@ void for_each_index(std::int64_t count, int threads,
 void run_ensemble(std::int64_t count, int threads,
                   const std::function<Params(std::int64_t)>& params_of,
                   const std::function<void(std::int64_t, const RunResult&)>& deliver,
-                  const std::function<bool()>& stop) {
+                  const std::function<bool()>& stop, std::int64_t series_every) {
   std::atomic<bool> failed{false};
   std::mutex mutex;  // guards deliver
   const auto stop_all = [&] { return failed || stop(); };
   for_each_index(count, threads, [&](std::int64_t i) {
     try {
       if (stop_all()) return;
-      const std::optional<RunResult> result = run_to_end(params_of(i), stop_all);
+      const std::optional<RunResult> result = run_to_end(params_of(i), stop_all, series_every);
       const std::lock_guard lock(mutex);
       if (result && !failed) deliver(i, *result);
     } catch (...) {

@@ -30,10 +30,21 @@ void add_common(CLI::App& verb, Common& common, const CommonHelp& help) {
   one_at_a_time(verb.add_option("--set", settings.sets,
                                 "Set any parameter of 'pupflow params'; repeatable" + remark))
       ->option_text("NAME=VALUE");
+  const std::string frames = help.at.empty() ? "" : "; or " + help.at;
+  one_at_a_time(verb.add_option("--at", settings.at,
+                                "Change parameters after a step, e.g. step=800,ta=0.2 (with "
+                                "until=N linearly), or act on a pup, e.g. "
+                                "step=1200,until=1260,pup=3,force=[2,0,0]; repeatable" +
+                                    frames))
+      ->option_text(help.at.empty() ? "CHANGE" : "CHANGE|STEPS");
   verb.add_option("--like", settings.like,
-                  "Take all parameters from a CSV or PNG that this program wrote" + remark)
+                  "Take all parameters and changes from a file that this program wrote" + remark)
       ->option_text("FILE")
       ->check(not_empty);
+  verb.add_option("--row", settings.row,
+                  "With --like runs.csv: the run of this row; 1 is the first")
+      ->option_text("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
   verb.add_option("--seed", settings.seed, "Short for --set seed=N")->option_text("N");
   verb.add_option("--steps", settings.steps, "Short for --set steps=N")->option_text("N");
   verb.add_option("--precision", settings.precision, "Short for --set precision=...")

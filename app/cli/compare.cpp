@@ -10,7 +10,8 @@ namespace pupflow::cli {
 Verb add_compare(CLI::App& program) {
   CLI::App* app = program.add_subcommand("compare", "Compare the summaries of two sweeps");
   const auto paths = std::make_shared<std::vector<std::string>>();
-  app->add_option("SUMMARY", *paths, "Two summary.csv files with the same points")
+  app->add_option("SWEEP", *paths,
+                  "Two folders of sweeps, or their summary.csv, with the same points")
       ->option_text(" ")
       ->required()
       ->expected(2);

@@ -52,7 +52,7 @@ void work(const Options& options) {
   std::vector<std::string> advice;
   const bool plots = io::is_program("gnuplot");
   rows.push_back({"figures", plots ? "gnuplot found" : "no gnuplot"});
-  const bool ranks = is_module_there(kMpiModule);
+  const bool ranks = is_module_there(io::kMpiModule);
   rows.push_back({"mpi", ranks ? "module found: mpirun and srun spread sweeps" : "not built"});
   if (!ranks) {
     advice.emplace_back(

@@ -78,7 +78,7 @@ bool is_silent_rank(int argc, char** argv) {
 }
 
 mpi::Interface& load_mpi(const mpi::RankInfo& self) {
-  const Module module = load_module(kMpiModule, mpi::kEntry);
+  const io::Module module = load_module(io::kMpiModule, mpi::kEntry);
   if (!module.entry) {
     io::refuse("started as one of " + std::to_string(self.size) + " ranks, but " +
                (module.missing

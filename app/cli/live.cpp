@@ -4,6 +4,7 @@
 #include "app/cli/graphics_module.h"
 #include "app/cli/look_options.h"
 #include "app/cli/parse.h"
+#include "app/cli/start.h"
 #include "app/cli/verb.h"
 #include "app/io/frame_path.h"
 
@@ -15,6 +16,7 @@ struct Options {
   LookOptions look;
   std::string size = size_text(window::LiveJob{}.width, window::LiveJob{}.height);
   double ui_scale = 0;
+  std::string from;
   bool paused = false;
   bool test_events = false;
   double exit_after = 0;
@@ -22,7 +24,9 @@ struct Options {
 
 void work(const Options& options) {
   window::LiveJob job;
-  job.params = io::set_up(options.common.settings).params;
+  const Start start = start_of(options.common.settings, options.from);
+  job.params = start.recipe;
+  job.from = start.from;
   job.look = look_of(options.look);
   std::tie(job.width, job.height) = parse_size("--size", options.size);
   job.ui_scale = options.ui_scale;
@@ -53,6 +57,7 @@ Verb add_live(CLI::App& program) {
                   "Size of text and widgets, 0.5 to 4 (default: the display's)")
       ->option_text("X")
       ->check(CLI::Range(0.5, 4.0));
+  add_from(*app, options->from);
   app->add_flag("--paused", options->paused, "Start paused");
   app->add_option("--exit-after", options->exit_after, "Close the window after so many seconds")
       ->option_text("S")

@@ -5,28 +5,14 @@
 #include "app/cli/parse.h"
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
-#include "app/io/nearest.h"
-#include "app/io/text.h"
+#include "app/io/named_field.h"
 
 namespace pupflow::cli {
 namespace {
 
-const LitterField& field_of(const std::string& name) {
-  if (const LitterField* field = find_field(name)) return *field;
-  std::vector<std::string_view> names;
-  for (const auto table : {pup_fields(), afferent_fields()}) {
-    for (const LitterField& field : table) names.push_back(field.name);
-  }
-  std::string all;
-  for (const std::string_view known : names) all += (all.empty() ? "" : ", ") + std::string(known);
-  const std::string meant = io::did_you_mean(name, names);
-  io::refuse("--color-by: unknown field " + io::quoted(name) +
-             (meant.empty() ? "; must be one of " + all : meant));
-}
-
 /// The scale of the field with what was typed for it.
 view::ColorScale scale_of(const LookOptions& options) {
-  view::ColorScale scale(field_of(options.color_by));
+  view::ColorScale scale(io::named_field(options.color_by, "--color-by"));
   const auto take = [](const std::string& option, const std::string& text, const auto& set) {
     try {
       set();

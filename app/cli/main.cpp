@@ -23,10 +23,10 @@ using io::ExitCode;
 using io::Failure;
 
 std::vector<Verb> add_verbs(CLI::App& program) {
-  return {add_live(program),    add_run(program),    add_render(program), add_figure1(program),
-          add_figure2(program), add_sweep(program),  add_merge(program),  add_compare(program),
-          add_info(program),    add_export(program), add_params(program), add_fields(program),
-          add_explain(program), add_report(program), add_doctor(program)};
+  return {add_live(program),    add_run(program),     add_render(program), add_figure1(program),
+          add_figure2(program), add_sweep(program),   add_merge(program),  add_compare(program),
+          add_verify(program),  add_info(program),    add_export(program), add_params(program),
+          add_fields(program),  add_explain(program), add_report(program), add_doctor(program)};
 }
 
 void refuse_unknown_verb(const std::vector<Verb>& verbs, int argc, char** argv) {

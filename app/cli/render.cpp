@@ -4,6 +4,7 @@
 #include "app/cli/graphics_module.h"
 #include "app/cli/look_options.h"
 #include "app/cli/parse.h"
+#include "app/cli/start.h"
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
 #include "app/io/frame_path.h"
@@ -19,16 +20,32 @@ constexpr std::int64_t kMostFrames = 1'000'000;
 struct Options {
   Common common;
   LookOptions look;
-  std::string at;
+  std::string from;
   std::int64_t every = 0;
   std::string size = size_text(pictures::RenderJob{}.width, pictures::RenderJob{}.height);
   std::string camera = view::Camera::kUsual;
   bool no_bar = false;
 };
 
+/// --at names frames by their steps, or changes as it does everywhere: takes the former away from
+/// `at` and returns them joined.
+std::string take_frames(std::vector<std::string>& at) {
+  std::string frames;
+  std::erase_if(at, [&](const std::string& text) {
+    if (text.find('=') != std::string::npos) return false;
+    frames += (frames.empty() ? "" : ",") + text;
+    return true;
+  });
+  return frames;
+}
+
 /// The steps after which a frame is wanted.
-std::vector<std::int64_t> frame_steps(const Options& options, const Params& params) {
-  if (!options.at.empty()) return parse_steps("--at", options.at);
+std::vector<std::int64_t> frame_steps(const Options& options, const std::string& at,
+                                      const Params& params) {
+  if (!at.empty()) {
+    if (options.every != 0) io::refuse("--at STEPS and --every both say which frames; use one");
+    return parse_steps("--at", at);
+  }
   if (options.every == 0) return {params.steps};
   const std::int64_t count = params.steps / options.every;
   if (count == 0 || count > kMostFrames) {
@@ -52,8 +69,12 @@ void check_pattern(const std::string& pattern, std::size_t frames) {
 
 void work(const Options& options) {
   pictures::RenderJob job;
-  job.params = io::set_up(options.common.settings).params;
-  job.at = frame_steps(options, job.params);
+  io::Settings settings = options.common.settings;
+  const std::string frames = take_frames(settings.at);
+  const Start start = start_of(settings, options.from);
+  job.params = start.recipe;
+  job.from = start.from;
+  job.at = frame_steps(options, frames, job.params);
   std::tie(job.width, job.height) = parse_size("--size", options.size);
   job.camera = view::Camera::parse(options.camera);
   job.threads = thread_count(options.common);
@@ -76,17 +97,14 @@ Verb add_render(CLI::App& program) {
   help.out =
       "The picture's file; with %d or %0Nd for the step its folder is made where missing (default "
       "frames/%05d.png)";
+  help.at = "draw a frame after each of these steps, e.g. 500,1500 (0 is the start)";
   help.quiet = "No progress";
   add_common(*app, options->common, help);
-  CLI::Option* at =
-      app->add_option("--at", options->at, "A frame after each of these steps; 0 is the start")
-          ->option_text("STEP,STEP,...")
-          ->check(not_empty);
   app->add_option("--every", options->every,
                   "A frame after steps N, 2N, ... up to --steps. With neither: the last step")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53))
-      ->excludes(at);
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+  add_from(*app, options->from);
   app->add_option("--size", options->size, "Pixels (default " + options->size + ")")
       ->option_text("WxH");
   app->add_option("--camera", options->camera,

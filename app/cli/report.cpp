@@ -70,6 +70,7 @@ std::string command_of(const ReportOptions& options) {
   if (!settings.scene.empty()) add("", settings.scene);
   if (!settings.like.empty()) add("--like", settings.like);
   for (const std::string& set : settings.sets) add("--set", set);
+  for (const std::string& change : settings.at) add("--at", change);
   if (settings.seed) add("--seed", *settings.seed);
   if (settings.steps) add("--steps", *settings.steps);
   if (settings.precision) add("--precision", *settings.precision);

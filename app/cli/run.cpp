@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "app/cli/start.h"
 #include "app/cli/summary.h"
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
@@ -39,29 +40,37 @@ struct Files {
   std::optional<io::Recording> recording;
   PartSet recorded;  // what its frames need
 
-  Files(const Options& options, const Params& params) {
+  Files(const Options& options, const Simulation& start) {
     if (!options.common.out.empty()) {
-      metrics.emplace(options.common.out, options.common.force, params);
+      metrics.emplace(options.common.out, options.common.force, start);
     }
-    if (!options.pups.empty()) pups.emplace(options.pups, options.common.force, params);
+    if (!options.pups.empty()) pups.emplace(options.pups, options.common.force, start);
     if (!options.record.empty()) {
       const io::RecordedFields fields = io::parse_recorded_fields(options.record_fields);
-      recording.emplace(options.record, options.common.force, params, io::provenance(params),
+      recording.emplace(options.record, options.common.force, start.recipe(), io::provenance(start),
                         fields);
       recorded = fields.parts();
     }
     if (!options.checkpoint.empty()) io::refuse_existing(options.checkpoint, options.common.force);
   }
 
-  void finish(std::span<const Warning> warnings, const std::string& ending) {
+  void finish(const Simulation& litter, const std::string& ending) {
+    io::TextEntries state;
+    io::add_state(litter, state);
     const auto close = [&](io::CsvFile& file) {
-      for (const Warning& warning : warnings) file.comment("warning: " + warning.message());
+      for (const auto& [name, value] : state) file.comment(name + " = " + value);
+      for (const Warning& warning : litter.warnings())
+        file.comment("warning: " + warning.message());
       if (!ending.empty()) file.comment("ended early: " + ending);
       file.commit();
     };
     if (metrics) close(metrics->file());
     if (pups) close(pups->file());
-    if (recording) recording->commit(ending);
+    if (!recording) return;
+    for (const auto& [name, value] : state) {
+      if (name != "edited") recording->note(name, value);  // it is there from the start
+    }
+    recording->commit(ending);
   }
 };
 
@@ -85,7 +94,7 @@ class Run {
  public:
   Run(const Options& options, Simulation start)
       : options_(options),
-        files_(options, start.params()),
+        files_(options, start),
         simulation_(std::move(start)),
         means_(simulation_.params().discard),
         summary_(!options.common.quiet) {
@@ -104,9 +113,9 @@ class Run {
       progress.update(simulation_.steps_done());
     }
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    files_.finish(simulation_.warnings(), ending());
+    files_.finish(simulation_, ending());
     if (options_.checkpoint.empty() || !simulation_.status().ok()) return;
-    io::write_checkpoint(options_.checkpoint, options_.common.force, simulation_.snapshot());
+    io::write_checkpoint(options_.checkpoint, options_.common.force, simulation_);
   }
 
   /// Why the run ended before its last step; empty when it did not.
@@ -192,39 +201,14 @@ class Run {
   double seconds_ = 0;
 };
 
-/// The litter that the run begins with: a new one, or that of --from.
-Simulation start_of(const Options& options, std::string& title) {
-  if (options.from.empty()) {
-    const io::Setup setup = io::set_up(options.common.settings);
-    title = setup.title;
-    return Simulation(setup.params);
-  }
-  const io::Settings& typed = options.common.settings;
-  if (!typed.scene.empty() || !typed.like.empty()) {
-    io::refuse(
-        "--from brings its own parameters; change them with --set, not with a scene or --like");
-  }
-  const Snapshot snapshot = io::read_checkpoint(options.from);
-  try {
-    Simulation simulation(snapshot);
-    simulation.set_params(io::set_up(typed, snapshot.params).params);
-    return simulation;
-  } catch (const InvalidParams&) {
-    throw;
-  } catch (const std::logic_error&
-               error) {  // parameters that define the litter, or numbers that do not fit
-    io::refuse(options.from + ": " + error.what());
-  }
-}
-
 void work(const Options& options) {
   refuse_same_file(options);
-  std::string title;
-  Run run(options, start_of(options, title));
+  const Start start = start_of(options.common.settings, options.from);
+  Run run(options, litter_of(start));
   run.go();
   if (run.summary()) {
     const std::string text =
-        run_summary(title, run.simulation(), {run.means(), run.overlap()}, run.seconds());
+        run_summary(start.title, run.simulation(), {run.means(), run.overlap()}, run.seconds());
     const bool taken =
         io::is_standard_output(options.common.out) || io::is_standard_output(options.pups);
     if (taken) {
@@ -279,10 +263,7 @@ Verb add_run(CLI::App& program) {
                   "Write the whole state at the end (also after Ctrl-C) to an HDF5 file")
       ->option_text("FILE")
       ->check(not_empty);
-  app->add_option("--from", options->from,
-                  "Go on from a checkpoint, bit for bit, up to step --steps")
-      ->option_text("FILE")
-      ->check(not_empty);
+  add_from(*app, options->from);
   add_flow_lag(*app, options->common);
   app->add_flag("--overlap", options->overlap,
                 "Tell in the summary how far bodies run into each other: means over every " +

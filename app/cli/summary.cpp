@@ -1,9 +1,9 @@
 #include "app/cli/summary.h"
 
-#include <cinttypes>
 #include <string_view>
 #include <vector>
 
+#include "app/io/provenance.h"
 #include "app/io/table.h"
 #include "app/io/text.h"
 
@@ -75,7 +75,7 @@ std::string run_summary(const std::string& title, const Simulation& simulation, 
   text += "status  " + (simulation.status().ok() ? "fine" : simulation.status().message()) + "\n";
   for (const Warning& warning : simulation.warnings())
     text += "warning " + warning.message() + "\n";
-  text += io::formatted("hash    %016" PRIx64 "\n", simulation.hash());
+  text += "hash    " + io::hash_text(simulation.hash()) + "\n";
   return text;
 }
 

@@ -1,4 +1,4 @@
-// pupflow sweep: any parameters over a range, with many seeds.
+// pupflow sweep: any parameters over ranges or from a table, with many seeds.
 #include <memory>
 
 #include "app/cli/sweep_work.h"
@@ -6,18 +6,28 @@
 namespace pupflow::cli {
 
 Verb add_sweep(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("sweep", "Run any parameters over a range, with many seeds");
+  CLI::App* app = program.add_subcommand(
+      "sweep", "Run any parameters over ranges or from a table, with many seeds");
   const auto options = std::make_shared<SweepOptions>();
   add_sweep_options(*app, *options, "sweep");
-  app->add_option(
-         "--vary", options->vary,
-         "Vary a parameter: name=from:to:count or name=a,b,c; repeat it for a grid. One gives\n"
-         "four panels, two give maps, more give the CSV files only")
+  app->add_option("--vary", options->vary,
+                  "Vary a parameter: name=from:to:count, name=from:to:step=S or name=a,b,c; repeat "
+                  "it for a\n"
+                  "grid. One gives four panels, two give maps, more give the CSV files only")
       ->option_text("RANGE")
       ->allow_extra_args(false)
-      ->take_all()
-      ->required();
+      ->take_all();
+  app->add_option("--lhs", options->lhs,
+                  "N points of a latin hypercube in place of a grid; ranges are name=from:to or\n"
+                  "name=a,b,c")
+      ->option_text("N")
+      ->check(CLI::Range(std::int64_t{1}, study::kMostValues));
+  app->add_option(
+         "--design", options->design,
+         "The points are the rows of a CSV file whose header names parameters, in place of\n"
+         "--vary; a column seed gives the seed of each row ('-' is standard input)")
+      ->option_text("FILE")
+      ->check(not_empty);
   return {app, [options] { run_sweep_verb(*options, "sweep"); }};
 }
 

@@ -5,7 +5,10 @@
 #include "app/cli/launcher.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
-#include "app/study/folder.h"
+#include "app/study/files.h"
+#include "app/study/latin.h"
+#include "app/study/series.h"
+#include "app/study/table.h"
 #include "app/study/transition.h"
 
 namespace pupflow::cli {
@@ -16,12 +19,35 @@ int threads_of_rank(const Common& common, const mpi::RankInfo& self) {
   return thread_count(common);
 }
 
+/// Gives the design the points that were asked for; needs its base.
+void choose_points(const SweepOptions& options, study::Design& design) {
+  if (!options.design.empty()) {
+    if (!options.vary.empty() || options.lhs)
+      io::refuse("--design " + options.design +
+                 ": its rows are all points; leave out --vary and --lhs");
+    study::read_table(options.design, design);
+    if (!design.given_seeds.empty() && options.seeds)
+      io::refuse("--seeds: the column seed of " + options.design + " has the seed of each run");
+    return;
+  }
+  if (options.vary.empty())
+    io::refuse("say what varies: --vary RANGE, or --design FILE; see 'pupflow sweep --help'");
+  if (!options.lhs) {
+    for (const std::string& axis : options.vary) design.axes.push_back(study::parse_axis(axis));
+    return;
+  }
+  std::vector<study::Span> spans;
+  for (const std::string& span : options.vary) spans.push_back(study::parse_span(span));
+  study::spread_latin(design, spans, *options.lhs);
+}
+
 study::Design design_of(const SweepOptions& options, const std::string& name) {
   study::Design design;
   design.name = name;
   design.base = io::set_up(options.common.settings).params;
-  for (const std::string& axis : options.vary) design.axes.push_back(study::parse_axis(axis));
-  design.seeds = options.seeds;
+  choose_points(options, design);
+  if (options.seeds) design.seeds = *options.seeds;
+  if (options.record) design.record_every = options.every;
   design.shard = study::parse_shard(options.shard);
   return design;
 }
@@ -39,7 +65,9 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
   add_common(app, options.common, help);
   app.get_option("--out")->option_text("FOLDER");
   add_flow_lag(app, options.common);
-  app.add_option("--seeds", options.seeds, "Runs at each point (default 10)")
+  app.add_option(
+         "--seeds", options.seeds,
+         "Runs at each point (default 10); more of them than the folder holds adds the new ones")
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
   app.add_option(
@@ -47,6 +75,13 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
          "Compute only every n-th run, from the i-th on; 'pupflow merge' joins all n shards")
       ->option_text("i/n")
       ->check(not_empty);
+  CLI::Option* record = app.add_flag(
+      "--record", options.record,
+      "Also keep the time series of each run, series/P-S.csv for point P and its seed number S");
+  app.add_option("--every", options.every, "Rows of the series for steps N, 2N, ... (default 1)")
+      ->option_text("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53))
+      ->needs(record);
   app.footer(
       "Finished runs are kept. After Ctrl-C, a full disk or a crash, the same command computes "
       "the\n"
@@ -79,6 +114,7 @@ void report_sweep(const study::Design& design, const study::SweepResult& result,
   if (result.resumed > 0) text += std::to_string(result.resumed) + " runs were there already\n";
   text += std::to_string(result.rows.size()) + " runs in " + study::runs_path(folder) + "\n";
   if (!result.summaries.empty()) {
+    if (design.record_every > 0) text += "series in " + study::series_folder(folder) + "\n";
     text += "means of " + std::to_string(result.summaries.size()) + " points in " +
             study::summary_path(folder) + "\n";
     if (result.note.empty()) text += "figure in " + folder + "/" + design.name + ".png and .svg\n";

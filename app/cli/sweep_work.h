@@ -1,6 +1,7 @@
 // What the verbs that compute or join sweeps share: options, computation, summary.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,15 @@ namespace pupflow::cli {
 struct SweepOptions {
   Common common;  // its `out` is the folder
   std::vector<std::string> vary;
-  std::int64_t seeds = 10;
+  std::string design;               // the file of a table; empty for none
+  std::optional<std::int64_t> lhs;  // points of a latin hypercube
+  std::optional<std::int64_t> seeds;
+  bool record = false;
+  std::int64_t every = 1;
   std::string shard = "1/1";
 };
 
-/// Declares all options but --vary. `folder` is the default of --out.
+/// Declares all options but those that choose the points. `folder` is the default of --out.
 void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& folder);
 
 /// Computes the missing runs of the sweep, on all ranks of the job, and reports on rank 0. `name`

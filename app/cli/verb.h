@@ -24,6 +24,7 @@ Verb add_figure2(CLI::App& program);
 Verb add_sweep(CLI::App& program);
 Verb add_merge(CLI::App& program);
 Verb add_compare(CLI::App& program);
+Verb add_verify(CLI::App& program);
 Verb add_params(CLI::App& program);
 Verb add_fields(CLI::App& program);
 Verb add_explain(CLI::App& program);
@@ -46,6 +47,7 @@ struct CommonHelp {
   bool scene = true;                // takes a SCENE
   std::string settings;             // a remark on --set and its shortcuts; may be empty
   std::string threads, out, quiet;  // the whole help text of each
+  std::string at;                   // what else --at takes, for its help; may be empty
   std::string out_names = "--out";  // with a verb's own word for it, e.g. "--csv,--out"
 };
 

@@ -24,6 +24,9 @@ class Context {
 
   virtual void make_current() = 0;
 
+  /// Lets go of the calling thread, so that another one can make the context current.
+  virtual void release_current() = 0;
+
   /// How it came about, e.g. "EGL surfaceless".
   virtual std::string name() const = 0;
 

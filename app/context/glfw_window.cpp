@@ -55,6 +55,10 @@ void GlfwWindow::make_current() {
   glfwMakeContextCurrent(window_);
 }
 
+void GlfwWindow::release_current() {
+  glfwMakeContextCurrent(nullptr);
+}
+
 std::string GlfwWindow::name() const {
   return "GLFW window";
 }

@@ -24,6 +24,7 @@ class GlfwWindow final : public Context {
   ~GlfwWindow() override;
 
   void make_current() override;
+  void release_current() override;
   std::string name() const override;
 
   GLFWwindow* handle() const { return window_; }

@@ -57,6 +57,9 @@ class EglContext final : public Context {
       fail("cannot make the context current: " + egl_error());
     }
   }
+  void release_current() override {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  }
   std::string name() const override { return name_; }
 
  private:
@@ -79,7 +82,7 @@ class EglContext final : public Context {
   }
 
   void release() {
-    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    release_current();
     if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
     eglTerminate(display_);
     eglReleaseThread();

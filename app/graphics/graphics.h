@@ -4,7 +4,10 @@
 #pragma once
 
 #include "app/context/context.h"
+#include "app/io/failure.h"
+#include "app/io/module.h"
 #include "app/pictures/figure1.h"
+#include "app/pictures/image.h"
 #include "app/pictures/render.h"
 #include "app/window/live_job.h"
 
@@ -17,6 +20,7 @@ class Graphics {
   virtual ~Graphics() = default;
   virtual void render(const pictures::RenderJob& job) = 0;
   virtual void figure1(const pictures::Figure1Job& job) = 0;
+  virtual io::Image image(const pictures::ImageJob& job, const LitterView& litter) = 0;
   virtual void live(const window::LiveJob& job) = 0;
   virtual context::ContextReport probe_headless() = 0;
   virtual context::ContextReport probe_window() = 0;
@@ -25,5 +29,15 @@ class Graphics {
 /// The one symbol that the module exports; the object lives as long as the module.
 constexpr const char* kEntry = "pupflow_graphics_entry";
 using Entry = Graphics* (*)();
+
+/// What a module loaded for kEntry hands out. Throws Failure(no_context), with the loader's reason
+/// and what to install, when it is missing or a library that it needs is.
+inline Graphics& entered(const io::Module& module) {
+  if (module.entry) return *reinterpret_cast<Entry>(module.entry)();
+  throw io::Failure(io::ExitCode::no_context,
+                    "no graphics: " + module.problem +
+                        " (Debian and Ubuntu: apt install libegl1 libgl1-mesa-dri libglew2.2 "
+                        "libglfw3)");
+}
 
 }  // namespace pupflow::graphics

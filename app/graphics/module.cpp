@@ -12,6 +12,9 @@ class Module final : public Graphics {
  public:
   void render(const pictures::RenderJob& job) override { pictures::render(job); }
   void figure1(const pictures::Figure1Job& job) override { pictures::figure1(job); }
+  io::Image image(const pictures::ImageJob& job, const LitterView& litter) override {
+    return pictures::image(job, litter);
+  }
   void live(const window::LiveJob& job) override { window::run_live(job); }
   context::ContextReport probe_headless() override { return context::probe_headless(); }
   context::ContextReport probe_window() override { return context::probe_window(); }

@@ -1,6 +1,8 @@
 #include "app/io/checkpoint.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "app/io/failure.h"
 #include "app/io/hdf5_file.h"
@@ -35,11 +37,47 @@ void write(const Hdf5Writer& file, const char* name, const std::vector<hsize_t>&
   write(file, name, shape, H5T_STD_I32LE, H5T_NATIVE_INT, values.data());
 }
 
+constexpr const char* kActions = "action";  // a row a pup: force x y z, heat, turn or nan
+
+std::vector<double> numbers_of(const std::vector<Action>& actions) {
+  std::vector<double> numbers;
+  for (const Action& action : actions) {
+    numbers.insert(numbers.end(), action.force.begin(), action.force.end());
+    numbers.insert(numbers.end(), {action.heat, action.turn.value_or(std::nan(""))});
+  }
+  return numbers;
+}
+
+std::vector<Action> actions_of(const std::vector<double>& numbers) {
+  std::vector<Action> actions;
+  for (std::size_t i = 0; i + 5 <= numbers.size(); i += 5) {
+    const double* row = numbers.data() + i;
+    Action& action = actions.emplace_back(Action{{row[0], row[1], row[2]}, row[3], {}});
+    if (!std::isnan(row[4])) action.turn = row[4];
+  }
+  return actions;
+}
+
+/// The entry `edited` as a number. A file without hash is of a version that did not say.
+std::optional<std::int64_t> edited_step(const TextEntries& entries, std::int64_t step) {
+  const auto find = [&](const char* name) {
+    return std::find_if(entries.begin(), entries.end(),
+                        [&](const auto& entry) { return entry.first == name; });
+  };
+  if (find("hash") == entries.end()) return step;
+  const auto edited = find("edited");
+  if (edited == entries.end()) return std::nullopt;
+  return read_number<std::int64_t>(edited->second).value_or(step);
+}
+
 }  // namespace
 
-void write_checkpoint(const std::string& path, bool force, const Snapshot& snapshot) {
+void write_checkpoint(const std::string& path, bool force, const Simulation& litter) {
+  const Snapshot snapshot = litter.snapshot();
   Hdf5Writer file(path, force);
-  for (const auto& [name, value] : provenance(snapshot.params)) file.text(name, value);
+  TextEntries entries = provenance(snapshot.params);
+  add_state(litter, entries);
+  for (const auto& [name, value] : entries) file.text(name, value);
   file.text("kind", kKind);
   const auto pups = static_cast<hsize_t>(snapshot.params.pups);
   const auto points = static_cast<hsize_t>(points_per_pup(snapshot.params));
@@ -54,6 +92,7 @@ void write_checkpoint(const std::string& path, bool force, const Snapshot& snaps
   for (const TouchingPair& pair : snapshot.touching)
     touching.insert(touching.end(), {pair.first, pair.second});
   write(file, "touching", {snapshot.touching.size(), 2}, touching);
+  if (!snapshot.actions.empty()) write(file, kActions, {pups, 5}, numbers_of(snapshot.actions));
   const std::vector<double> clock{static_cast<double>(snapshot.step),
                                   static_cast<double>(snapshot.clock.step), snapshot.clock.time};
   write(file, "clock", {3}, clock);
@@ -89,6 +128,9 @@ Snapshot read_checkpoint(const std::string& path) {
   }
   snapshot.step = static_cast<std::int64_t>(clock[0]);
   snapshot.clock = {static_cast<std::int64_t>(clock[1]), clock[2]};
+  if (file.has(kActions)) snapshot.actions = actions_of(file.numbers(kActions));
+  snapshot.edited = edited_step(entries, snapshot.step);
+  snapshot.in_force = params_of_step(snapshot.params, snapshot.step);
   return snapshot;
 }
 

@@ -1,5 +1,6 @@
 #include "app/io/csv.h"
 
+#include "app/io/failure.h"
 #include "app/io/provenance.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
@@ -7,21 +8,48 @@
 namespace pupflow::io {
 namespace {
 
-std::string metrics_columns() {
-  std::string columns = "step,time";
-  for (const Field& field : observables()) columns.append(",").append(field.name);
+std::string joined_cells(const std::vector<std::string>& cells) {
+  return joined(cells, ",");
+}
+
+}  // namespace
+
+std::vector<std::string> metrics_columns() {
+  std::vector<std::string> columns{"step", "time"};
+  for (const Field& field : observables()) columns.emplace_back(field.name);
   return columns;
 }
 
-std::string pups_columns() {
-  std::string columns = "step,pup,x,y,z";
+std::vector<std::string> metrics_cells(const LitterView& litter, const Observables& seen) {
+  std::vector<std::string> cells{std::to_string(litter.step), number_text(litter.time)};
+  for (const ObservableField& row : observables()) cells.push_back(number_text(seen.*row.value));
+  return cells;
+}
+
+std::vector<std::string> pups_columns() {
+  std::vector<std::string> columns{"step", "pup", "x", "y", "z"};
   for (const LitterField& field : pup_fields()) {
-    if (field.in_files) columns.append(",").append(field.name);
+    if (field.in_files) columns.emplace_back(field.name);
   }
   return columns;
 }
 
-}  // namespace
+std::vector<std::vector<std::string>> pups_cells(const LitterView& litter) {
+  std::vector<std::vector<std::string>> rows;
+  for (int pup = 0; pup < litter.pups; ++pup) {
+    const Eigen::Vector3d centre = litter.positions.mean(pup);
+    rows.push_back({std::to_string(litter.step), std::to_string(pup), number_text(centre.x()),
+                    number_text(centre.y()), number_text(centre.z())});
+  }
+  for (const LitterField& field : pup_fields()) {
+    if (!field.in_files) continue;
+    const std::vector<double> values = field.values(litter);
+    for (std::size_t pup = 0; pup < rows.size(); ++pup) {
+      rows[pup].push_back(number_text(values[pup]));
+    }
+  }
+  return rows;
+}
 
 CsvFile::CsvFile(const std::string& path, bool force, const TextEntries& header,
                  std::string_view columns)
@@ -60,36 +88,64 @@ void CsvFile::end_row() {
   row_.clear();
 }
 
+void CsvFile::row(const std::vector<std::string>& cells) {
+  row_ = joined_cells(cells);
+  end_row();
+}
+
 void CsvFile::comment(std::string_view text) {
   file_.write("# " + std::string(text) + "\n");
 }
 
-MetricsCsv::MetricsCsv(const std::string& path, bool force, const Params& params)
-    : file_(path, force, provenance(params), metrics_columns()) {}
+MetricsCsv::MetricsCsv(const std::string& path, bool force, const Simulation& start)
+    : file_(path, force, provenance(start), joined_cells(metrics_columns())) {}
 
 void MetricsCsv::add(const LitterView& litter, const Observables& seen) {
-  file_.cell(litter.step).cell(litter.time);
-  for (const ObservableField& row : observables()) file_.cell(seen.*row.value);
-  file_.end_row();
+  file_.row(metrics_cells(litter, seen));
 }
 
-PupsCsv::PupsCsv(const std::string& path, bool force, const Params& params)
-    : file_(path, force, provenance(params), pups_columns()) {}
+PupsCsv::PupsCsv(const std::string& path, bool force, const Simulation& start)
+    : file_(path, force, provenance(start), joined_cells(pups_columns())) {}
 
 void PupsCsv::add(const LitterView& litter) {
-  std::vector<std::vector<double>> columns;
-  for (const LitterField& field : pup_fields()) {
-    if (field.in_files) columns.push_back(field.values(litter));
+  for (const std::vector<std::string>& cells : pups_cells(litter)) file_.row(cells);
+}
+
+CsvReader::CsvReader(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+  read_beginning(path, 1);  // says what is wrong with a file that cannot be read at all
+  std::string line;
+  while (read_line(line) && line.starts_with('#')) {
+    comments_.push_back(line.substr(line.starts_with("# ") ? 2 : 1));
   }
-  for (int pup = 0; pup < litter.pups; ++pup) {
-    const Eigen::Vector3d centre = litter.positions.mean(pup);
-    file_.cell(litter.step).cell(std::int64_t{pup});
-    file_.cell(centre.x()).cell(centre.y()).cell(centre.z());
-    for (const std::vector<double>& column : columns) {
-      file_.cell(column[static_cast<std::size_t>(pup)]);
+  for (const std::string_view column : split(line, ',')) columns_.emplace_back(column);
+}
+
+bool CsvReader::read_line(std::string& line) {
+  constexpr std::size_t kLongest = 1 << 16;
+  ++line_;
+  line.clear();
+  for (int letter = 0; (letter = file_.get()) != EOF;) {
+    if (letter == '\n') return true;
+    line += static_cast<char>(letter);
+    if (line.size() > kLongest) refuse(where() + ": is too long for a line of a CSV file");
+  }
+  if (file_.bad()) throw Failure(ExitCode::bad_file, path_ + ": cannot be read further");
+  return !line.empty();
+}
+
+std::optional<std::vector<std::string>> CsvReader::next() {
+  std::string line;
+  while (read_line(line)) {
+    if (line.starts_with('#')) continue;
+    std::vector<std::string> cells;
+    for (const std::string_view cell : split(line, ',')) cells.emplace_back(cell);
+    if (cells.size() != columns_.size()) {
+      refuse(where() + ": has " + std::to_string(cells.size()) + " cells, not " +
+             std::to_string(columns_.size()));
     }
-    file_.end_row();
+    return cells;
   }
+  return std::nullopt;
 }
 
 TextEntries read_csv_header(const std::string& path) {

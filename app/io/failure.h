@@ -8,6 +8,7 @@ namespace pupflow::io {
 
 enum class ExitCode {
   done = 0,
+  difference = 1,    // verify: a file is not what its run gives
   bad_input = 2,     // the command line, a scene or a parameter is wrong
   bad_numbers = 3,   // a simulation's numbers went wrong
   bad_file = 4,      // a file could not be read or written

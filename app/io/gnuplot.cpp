@@ -85,14 +85,14 @@ void publish(const Temporary& temporary, const Drawing& drawing) {
 }  // namespace
 
 std::string gnuplot_script(const std::string& name, const std::string& source, int width,
-                           int height, const std::string& body) {
+                           int height, const std::string& body, const std::string& data) {
   std::ostringstream s;
   s << "# Draws " << name << ".png and " << name << ".svg from " << source << ".\n"
     << "# Run it again after editing:  gnuplot " << name << ".gp  (in this folder)\n"
     << "if (!exists('name')) name = '" << name << "'\n"
     << "set datafile separator ','\nset datafile commentschars '#'\nset datafile columnheaders\n"
     << "set encoding utf8\nset border 3 lc '#444444'\nset tics nomirror out textcolor '#222222'\n"
-    << "do for [format in 'png svg'] {\n"
+    << data << "do for [format in 'png svg'] {\n"
     << "  if (format eq 'png') {\n    set terminal pngcairo size " << width << ',' << height
     << " font 'DejaVu Sans,11'\n  } else {\n    set terminal svg size " << width << ',' << height
     << " font 'DejaVu Sans,11' background '#ffffff'\n  }\n"

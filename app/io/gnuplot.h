@@ -8,11 +8,11 @@
 namespace pupflow::io {
 
 /// The text of NAME.gp, which draws NAME.png and NAME.svg. `body` holds the plot commands, each line
-/// indented by two spaces; they run once for either picture. `source` names what they read, e.g.
+/// indented by two spaces; they run once for either picture, `data` before both. `source` names what they read, e.g.
 /// "summary.csv". CSV files have a line of column names, and comments that begin with #. `width` and
 /// `height` are the size of both pictures in pixels.
 std::string gnuplot_script(const std::string& name, const std::string& source, int width,
-                           int height, const std::string& body);
+                           int height, const std::string& body, const std::string& data = "");
 
 /// A script in a folder, and what its two pictures carry.
 struct Drawing {

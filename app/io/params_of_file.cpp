@@ -1,18 +1,55 @@
 #include "app/io/params_of_file.h"
 
+#include <algorithm>
+
 #include "app/io/checkpoint.h"
 #include "app/io/csv.h"
+#include "app/io/failure.h"
 #include "app/io/png.h"
 #include "app/io/provenance.h"
 #include "app/io/read_file.h"
 
 namespace pupflow::io {
 
-Params params_of_file(const std::string& path) {
+namespace {
+
+/// Sets the parameters that are columns of row number `row`.
+void take_row(const std::string& path, std::int64_t row, Params& params) {
+  CsvReader file(path);
+  const auto& columns = file.columns();
+  if (std::find(columns.begin(), columns.end(), "status") == columns.end()) {
+    refuse(path + ": is no table of runs; --row takes a sweep's runs.csv");
+  }
+  std::optional<std::vector<std::string>> cells;
+  for (std::int64_t i = 0; i < row; ++i) {
+    cells = file.next();
+    if (!cells) {
+      refuse(path + ": has " + std::to_string(i) + " rows; --row " + std::to_string(row) +
+             " is not among them");
+    }
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const Parameter* parameter = find_parameter(columns[i]);
+    Problem problem;
+    if (parameter && !parse_value(*parameter, (*cells)[i], params, problem)) {
+      refuse(file.where() + ": " + problem.message);
+    }
+  }
+}
+
+}  // namespace
+
+TextEntries entries_of_file(const std::string& path) {
   const std::string beginning = read_beginning(path, 8);
-  if (beginning == "\x89PNG\r\n\x1a\n") return params_from(read_png_text(path), path);
-  if (beginning == "\x89HDF\r\n\x1a\n") return params_from(read_hdf5_text(path), path);
-  return params_from(read_csv_header(path), path);
+  if (beginning == "\x89PNG\r\n\x1a\n") return read_png_text(path);
+  if (beginning == "\x89HDF\r\n\x1a\n") return read_hdf5_text(path);
+  return read_csv_header(path);
+}
+
+Params params_of_file(const std::string& path, std::optional<std::int64_t> row) {
+  Params params = params_from(entries_of_file(path), path);
+  if (row) take_row(path, *row, params);
+  return params;
 }
 
 }  // namespace pupflow::io

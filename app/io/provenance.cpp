@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/io/failure.h"
+#include "app/io/schedule_text.h"
 #include "app/io/text.h"
 #include "pupflow/version.h"
 
@@ -16,8 +17,13 @@ namespace {
 /// Entries that stand before parameters or among them: the version, a sweep's design (its manifest
 /// is TOML, with "software" in small letters), and what HDF5 files say of themselves (their
 /// attributes are read in the order of the alphabet).
-constexpr std::string_view kBetween[] = {"Software", "software", "name",        "vary", "seeds",
-                                         "runs",     "shard",    "ended early", "kind", "layout"};
+constexpr std::string_view kBetween[] = {
+    "Software",     "software", "name",   "vary",    "seeds", "runs", "shard",
+    "ended early",  "kind",     "layout", "columns", "table", "lhs",  "seed_block",
+    "record_every", "step",     "hash",   "edited",  "begun"};
+
+/// The schedule, behind the parameters.
+constexpr const char* kSchedule = "at";
 
 /// The first of the entries behind the parameters, which tell of the output itself: of a picture,
 /// of a report's file, of a sweep's figure.
@@ -31,7 +37,7 @@ bool is_one_of(std::span<const std::string_view> names, const std::string& name)
 void refuse_unknown_parameter(const TextEntries& entries, const std::string& where) {
   for (const auto& [name, value] : entries) {
     if (is_one_of(kBehind, name)) return;
-    if (is_one_of(kBetween, name) || find_parameter(name)) continue;
+    if (name == kSchedule || is_one_of(kBetween, name) || find_parameter(name)) continue;
     refuse(where + ": this version has no parameter " + quoted(name));
   }
 }
@@ -51,8 +57,26 @@ TextEntries provenance(const Params& params, const TextEntries& extra) {
   for (const Parameter& parameter : parameters()) {
     entries.emplace_back(parameter.name, format_value(parameter, params));
   }
+  if (!params.schedule.empty()) entries.emplace_back(kSchedule, schedule_text(params.schedule));
   entries.insert(entries.end(), extra.begin(), extra.end());
   return entries;
+}
+
+TextEntries provenance(const Simulation& start) {
+  TextEntries entries = provenance(start.recipe());
+  if (start.steps_done() > 0) entries.emplace_back("begun", std::to_string(start.steps_done()));
+  if (const auto step = start.edited()) entries.emplace_back("edited", std::to_string(*step));
+  return entries;
+}
+
+void add_state(const Simulation& litter, TextEntries& entries) {
+  entries.emplace_back("step", std::to_string(litter.steps_done()));
+  entries.emplace_back("hash", hash_text(litter.hash()));
+  if (const auto step = litter.edited()) entries.emplace_back("edited", std::to_string(*step));
+}
+
+std::string hash_text(std::uint64_t hash) {
+  return formatted("%016llx", static_cast<unsigned long long>(hash));
 }
 
 Params params_from(const TextEntries& entries, const std::string& where) {
@@ -82,6 +106,11 @@ Params params_from(const TextEntries& entries, const std::string& where) {
     }
   }
   take_as_before(missing, where, params);
+  if (const auto at = find(kSchedule); at != entries.end()) {
+    std::vector<std::string> problems;
+    params.schedule = parse_schedule(at->second, where, problems);
+    if (!problems.empty()) refuse(joined(problems, "\n"));
+  }
   return params;
 }
 

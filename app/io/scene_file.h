@@ -1,4 +1,5 @@
-// Scenes: TOML files whose keys are parameter names, beside an optional title and description.
+// Scenes: TOML files whose keys are parameter names, beside an optional title, description and
+// [[at]] tables, each a change during the run (schedule_text.h).
 #pragma once
 
 #include <span>

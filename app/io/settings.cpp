@@ -6,6 +6,7 @@
 #include "app/io/nearest.h"
 #include "app/io/params_of_file.h"
 #include "app/io/scene_file.h"
+#include "app/io/schedule_text.h"
 #include "app/io/text.h"
 
 namespace pupflow::io {
@@ -45,21 +46,23 @@ void take_set(const std::string& set, Params& params, std::vector<std::string>& 
 }  // namespace
 
 bool Settings::empty() const {
-  return scene.empty() && like.empty() && sets.empty() && !seed && !steps && !precision &&
-         !flow_lag;
+  return scene.empty() && like.empty() && sets.empty() && at.empty() && !seed && !steps &&
+         !precision && !flow_lag;
 }
 
 Setup set_up(const Settings& settings, const Params& base) {
   if (!settings.scene.empty() && !settings.like.empty()) {
     refuse("a scene and --like both give a whole parameter set; use one of them");
   }
+  if (settings.row && settings.like.empty())
+    refuse("--row names a row of --like FILE; give that file");
   Setup setup{base, {}, {}};
   std::vector<std::string> problems;
   if (!settings.scene.empty()) {
     const Scene scene = load_scene(settings.scene, problems);
     setup = {scene.params, scene.title, scene.description};
   }
-  if (!settings.like.empty()) setup.params = params_of_file(settings.like);
+  if (!settings.like.empty()) setup.params = params_of_file(settings.like, settings.row);
   for (const std::string& set : settings.sets) take_set(set, setup.params, problems);
   const auto shortcut = [&](const char* option, const char* name,
                             const std::optional<std::string>& value) {
@@ -69,6 +72,9 @@ Setup set_up(const Settings& settings, const Params& base) {
   shortcut("--steps", "steps", settings.steps);
   shortcut("--precision", "precision", settings.precision);
   shortcut("--flow-lag", "flow_lag", settings.flow_lag);
+  for (const std::string& change : settings.at) {
+    add_change(change, "--at", setup.params.schedule, problems);
+  }
   for (const Problem& problem : check(setup.params)) problems.push_back(problem.message);
   if (!problems.empty()) refuse(joined(problems, "\n"));
   return setup;

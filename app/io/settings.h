@@ -2,6 +2,7 @@
 // --seed, --steps, --precision.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,9 +13,11 @@ namespace pupflow::io {
 
 /// What the user typed.
 struct Settings {
-  std::string scene;              // a path or a shipped name; empty for none
-  std::string like;               // an output file whose parameters to take; empty for none
-  std::vector<std::string> sets;  // "name=value" each
+  std::string scene;                // a path or a shipped name; empty for none
+  std::string like;                 // an output file whose parameters to take; empty for none
+  std::optional<std::int64_t> row;  // of `like`, a table of runs
+  std::vector<std::string> sets;    // "name=value" each
+  std::vector<std::string> at;      // "step=800,ta=0.2" each: changes, beside those of the scene
   std::optional<std::string> seed, steps, precision, flow_lag;
 
   bool empty() const;  // nothing was typed

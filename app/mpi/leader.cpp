@@ -55,8 +55,8 @@ void Leader::wait_for_workers() {
 
 void Leader::compute(std::int64_t count, const std::function<Params(std::int64_t)>& params_of,
                      const std::function<void(std::int64_t, const RunResult&)>& deliver,
-                     const std::function<bool()>& stop) {
-  Batch batch{RunQueue(count), {self_.threads, stop}, params_of, deliver};
+                     const std::function<bool()>& stop, std::int64_t series_every) {
+  Batch batch{RunQueue(count), {self_.threads, stop}, params_of, deliver, series_every};
   while (!batch.queue.all_finished() && !stop()) {
     assign_runs(batch);
     collect_own_results(batch);
@@ -68,7 +68,7 @@ void Leader::assign_runs(Batch& batch) {
   const auto next_task = [&](int rank) -> std::optional<Task> {
     const std::optional<std::int64_t> run = batch.queue.assign(rank);
     if (!run) return std::nullopt;
-    return Task{*run, batch.params_of(*run)};
+    return Task{*run, batch.series_every, batch.params_of(*run)};
   };
   // One run per rank in turn, so that a rank with many threads does not get all runs of a short
   // sweep.
@@ -119,7 +119,7 @@ void Leader::handle(const Message& message, Batch* batch) {
       break;
     case Tag::result: {
       if (!batch) break;  // compute() has returned
-      const Result result = unpack<Result>(message.bytes);
+      const Result result = unpack_result(message.bytes);
       if (batch->queue.finish(message.source, result.run)) {
         batch->deliver(result.run, result.result);
       }

@@ -24,7 +24,7 @@ class Leader : public study::Executor {
 
   void compute(std::int64_t count, const std::function<Params(std::int64_t)>& params_of,
                const std::function<void(std::int64_t, const RunResult&)>& deliver,
-               const std::function<bool()>& stop) override;
+               const std::function<bool()>& stop, std::int64_t series_every) override;
 
  private:
   struct Peer {  // another rank
@@ -39,6 +39,7 @@ class Leader : public study::Executor {
     ThreadPool pool;
     const std::function<Params(std::int64_t)>& params_of;
     const std::function<void(std::int64_t, const RunResult&)>& deliver;
+    std::int64_t series_every;
   };
 
   void assign_runs(Batch& batch);

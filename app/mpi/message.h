@@ -1,9 +1,11 @@
-// The messages between ranks. All ranks run the same executable, so a struct is sent as its bytes.
+// The messages between ranks. All ranks run the same executable, so a plain struct is sent as its
+// bytes. A task is sent as text, since a schedule has any length.
 #pragma once
 
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include "pupflow/ensemble.h"
@@ -14,7 +16,7 @@ namespace pupflow::mpi {
 enum class Tag {
   hello,      // from a worker: Hello, then its command line
   task,       // from the leader: Task
-  result,     // from a worker: Result
+  result,     // from a worker: Result, by pack_result
   failed,     // from a worker: it computes no more; the reason as text
   heartbeat,  // both ways: the sender is alive; no bytes
   stop,       // from the leader: compute no more; no bytes
@@ -34,7 +36,7 @@ struct Hello {
 };
 
 struct Task {
-  std::int64_t run;
+  std::int64_t run, series_every;
   Params params;
 };
 
@@ -58,12 +60,43 @@ std::string pack(const T& value) {
 /// The struct at the beginning of `bytes`. Throws std::runtime_error if they are too short, as from
 /// a rank that runs another version of the program.
 template <class T>
-T unpack(const std::string& bytes) {
+T unpack(std::string_view bytes) {
   static_assert(std::is_trivially_copyable_v<T>);
   T value;
   if (bytes.size() < sizeof value) throw std::runtime_error("a message between ranks is too short");
   std::memcpy(&value, bytes.data(), sizeof value);
   return value;
+}
+
+/// A task as text, and back. Throws what io::params_from throws, or std::runtime_error.
+std::string pack(const Task& task);
+Task unpack_task(const std::string& bytes);
+
+/// A result as the bytes of its parts: those of fixed size, then the series.
+inline std::string pack_result(const Result& result) {
+  const RunResult& r = result.result;
+  std::string bytes =
+      pack(result.run) + pack(r.status) + pack(r.means) + pack(r.exposed_sd) + pack(r.warnings);
+  for (const Sample& sample : r.series) bytes += pack(sample);
+  return bytes;
+}
+
+/// Throws like unpack.
+inline Result unpack_result(std::string_view bytes) {
+  const auto take = [&]<class T>(T& value) {
+    value = unpack<T>(bytes);
+    bytes.remove_prefix(sizeof value);
+  };
+  Result result{};
+  RunResult& r = result.result;
+  take(result.run);
+  take(r.status);
+  take(r.means);
+  take(r.exposed_sd);
+  take(r.warnings);
+  r.series.reserve(bytes.size() / sizeof(Sample));
+  while (!bytes.empty()) take(r.series.emplace_back());
+  return result;
 }
 
 }  // namespace pupflow::mpi

@@ -30,7 +30,7 @@ std::optional<ThreadPool::Finished> ThreadPool::next_finished(std::chrono::milli
   std::unique_lock lock(mutex_);
   if (!task_finished_.wait_for(lock, timeout, [this] { return !finished_.empty(); }))
     return std::nullopt;
-  Finished first = std::move(finished_.front());
+  std::optional<Finished> first(std::move(finished_.front()));
   finished_.pop_front();
   ++idle_;
   return first;
@@ -46,7 +46,8 @@ void ThreadPool::work() {
     lock.unlock();
     Finished finished{task.run, std::nullopt, nullptr};
     try {
-      finished.result = run_to_end(task.params, [this] { return closing_ || stop_(); });
+      finished.result = run_to_end(
+          task.params, [this] { return closing_ || stop_(); }, task.series_every);
     } catch (...) {
       finished.failure = std::current_exception();  // for the main thread to rethrow or report
     }

@@ -59,7 +59,7 @@ class Worker {
       pool_.reset();
       mailbox_.send(kLeader, Tag::failed, message_of(done->failure));
     } else if (done->result) {
-      mailbox_.send(kLeader, Tag::result, pack(Result{done->run, *done->result}));
+      mailbox_.send(kLeader, Tag::result, pack_result({done->run, *done->result}));
     }
   }
 
@@ -72,7 +72,7 @@ class Worker {
   void receive_messages() {
     while (const std::optional<Message> message = mailbox_.receive()) {
       heard_ = Clock::now();
-      if (message->tag == Tag::task && pool_) pool_->submit(unpack<Task>(message->bytes));
+      if (message->tag == Tag::task && pool_) pool_->submit(unpack_task(message->bytes));
       if (message->tag == Tag::stop) stop_ = true;
       if (message->tag == Tag::shutdown) shutdown_ = unpack<Shutdown>(message->bytes);
     }

@@ -153,8 +153,10 @@ void figure1(const Figure1Job& job) {
   std::string panels;
   for (const double ta : job.ta) panels += (panels.empty() ? "" : ",") + io::number_text(ta);
   const view::ColorScale scale = common_scale(job.look, list);
+  const std::string hashes =
+      io::joined(list, ",", [](const Simulation& litter) { return io::hash_text(litter.hash()); });
   io::TextEntries extra = look_entries(scale, job.look.supersample);
-  extra.insert(extra.begin(), {{"picture", "figure1"}, {"panels_ta", panels}});
+  extra.insert(extra.begin(), {{"picture", "figure1"}, {"panels_ta", panels}, {"hash", hashes}});
   io::write_png(job.output.path, compose(job, list, scale, *headless.renderer),
                 io::provenance(job.params, extra), job.output.force);
 }

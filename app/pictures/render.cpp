@@ -20,6 +20,10 @@ void check_job(const RenderJob& job) {
   if (job.at.empty() || job.at.front() < 0) {
     throw io::Failure(io::ExitCode::bad_input, "render needs steps from 0 upwards");
   }
+  if (job.from && job.at.front() < job.from->step) {
+    io::refuse("no frame after step " + std::to_string(job.at.front()) +
+               ": the checkpoint is at step " + std::to_string(job.from->step));
+  }
   if (job.at.size() > 1 && !io::has_number(job.output.path)) {
     throw io::Failure(io::ExitCode::bad_input,
                       job.output.path +
@@ -52,10 +56,12 @@ class Writer {
   explicit Writer(const RenderJob& job) : job_(job) {}
 
   /// Throws what writing the frame before threw.
-  void write(std::int64_t step, io::Image image, const io::TextEntries& look) {
+  void write(const Simulation& litter, io::Image image, const io::TextEntries& look) {
     finish();
-    io::TextEntries extra{
-        {"picture", "render"}, {"step", std::to_string(step)}, {"camera", job_.camera.spec()}};
+    const std::int64_t step = litter.steps_done();
+    io::TextEntries extra{{"picture", "render"}};
+    io::add_state(litter, extra);
+    extra.emplace_back("camera", job_.camera.spec());
     extra.insert(extra.end(), look.begin(), look.end());
     pending_ = std::async(std::launch::async, [this, step, extra, frame = std::move(image)] {
       io::write_png(io::frame_path(job_.output.path, step), frame,
@@ -82,6 +88,15 @@ class Writer {
   std::size_t written_ = 0;
 };
 
+/// The litter to begin with. What its colors show is recorded from the first frame on.
+Simulation first_litter(const RenderJob& job) {
+  const Field& field = *job.look.scale.field;
+  if (!job.from) return observed_litter(job.params, field);
+  Simulation simulation(*job.from);
+  simulation.set_observed(field.parts);
+  return simulation;
+}
+
 void advance(Simulation& simulation, std::int64_t step, io::Progress& progress, Writer& writer) {
   while (simulation.steps_done() < step) {
     if (io::interrupted()) {
@@ -101,7 +116,7 @@ void advance(Simulation& simulation, std::int64_t step, io::Progress& progress, 
 
 void render(const RenderJob& job) {
   check_job(job);
-  Simulation simulation = observed_litter(job.params, *job.look.scale.field);
+  Simulation simulation = first_litter(job);
   simulation.set_threads(job.threads);
   Picture picture(job.width, job.height, job.bar, job.look);
   const view::Camera camera = view::framed(job.camera, job.params, picture.scene_aspect());
@@ -112,7 +127,7 @@ void render(const RenderJob& job) {
   for (const std::int64_t step : job.at) {
     advance(simulation, step, progress, writer);
     io::Image frame = picture.draw(*headless.renderer, simulation.view(), camera);
-    writer.write(step, std::move(frame), picture.look_entries());
+    writer.write(simulation, std::move(frame), picture.look_entries());
   }
   writer.finish();
 }

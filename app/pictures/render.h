@@ -2,17 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "app/pictures/look.h"
 #include "app/view/camera.h"
-#include "pupflow/parameters.h"
+#include "pupflow/snapshot.h"
 
 namespace pupflow::pictures {
 
 /// `pupflow render`: frames of one scene, after the given steps (0 is the start).
 struct RenderJob {
-  Params params;
+  Params params;                 // the recipe
+  std::optional<Snapshot> from;  // a litter of that recipe to begin with; none: the start
   std::vector<std::int64_t> at;  // sorted, without repeats
   int threads = 1;               // that share a step
   int width = 1280, height = 960;

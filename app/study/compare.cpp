@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <sstream>
 
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
+#include "app/study/files.h"
 #include "pupflow/observer.h"
 
 namespace pupflow::study {
 namespace {
+
+namespace fs = std::filesystem;
 
 using io::refuse;
 
@@ -40,6 +44,16 @@ struct Table {
            " is no number: " + io::quoted(text));
   }
 };
+
+/// The summary that a path means.
+std::string summary_of(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) return path;
+  if (fs::exists(summary_path(path), error)) return summary_path(path);
+  if (fs::exists(manifest_path(path), error))
+    refuse(path + ": has no summary.csv: the sweep is not finished, or one of several shards");
+  refuse(path + ": is no folder of a sweep: it has no summary.csv");
+}
 
 Table read_table(const std::string& path) {
   Table table{path, {}, {}};
@@ -97,7 +111,7 @@ double in_standard_errors(const Table& a, const Table& b, std::size_t row,
 }  // namespace
 
 Comparison compare_summaries(const std::string& first, const std::string& second) {
-  const Table a = read_table(first), b = read_table(second);
+  const Table a = read_table(summary_of(first)), b = read_table(summary_of(second));
   Comparison comparison;
   comparison.varied.assign(a.names.begin(),
                            a.names.begin() + static_cast<std::ptrdiff_t>(a.column("runs")));

@@ -28,7 +28,8 @@ struct Comparison {
   double largest_tb_errors = 0;  // the same in standard errors, where these are known
 };
 
-/// Compares all observables that both files hold. Both must vary the same parameters, with values
+/// Compares all observables that both files hold. Each is a summary CSV, or the folder of a sweep,
+/// whose summary.csv it is. Both must vary the same parameters, with values
 /// that agree to a relative 1e-5. Throws io::Failure: bad_file when a file cannot be read, bad_input
 /// when it is no summary or the two do not have the same points.
 Comparison compare_summaries(const std::string& first, const std::string& second);

@@ -1,89 +1,20 @@
 #include "app/study/design.h"
 
-#include <algorithm>
 #include <set>
 
 #include "app/io/failure.h"
-#include "app/io/nearest.h"
 #include "app/io/text.h"
 #include "pupflow/ensemble.h"
 
 namespace pupflow::study {
 namespace {
 
-constexpr std::int64_t kMostRuns = 100'000'000;
-constexpr std::int64_t kMostValues = 1'000'000, kMostShards = 1'000'000;
+constexpr std::int64_t kMostRuns = 100'000'000, kMostShards = 1'000'000;
+constexpr std::int64_t kMostSeries = 100'000, kMostSamples = 1'000'000;
 
 using io::refuse;
 
-double value_of(const Parameter& parameter, std::string_view text) {
-  Params scratch;
-  Problem problem;
-  if (!parse_value(parameter, text, scratch, problem)) refuse("--vary: " + problem.message);
-  return parameter.get(scratch);
-}
-
-std::vector<double> spaced_values(const Parameter& parameter,
-                                  const std::vector<std::string_view>& parts) {
-  const std::string name(parameter.name);
-  if (parameter.kind == Parameter::Kind::choice) {
-    refuse("--vary " + name + ": list its choices, e.g. " + name + "=" +
-           std::string(parameter.choices[0]) + "," + std::string(parameter.choices[1]));
-  }
-  const std::int64_t count = io::read_number<std::int64_t>(parts[2]).value_or(0);
-  if (count < 2 || count > kMostValues) {
-    refuse("--vary " + name + ": the count in from:to:count is " + io::quoted(parts[2]) +
-           "; it must be a whole number from 2");
-  }
-  const double from = value_of(parameter, parts[0]), to = value_of(parameter, parts[1]);
-  const std::string ends = std::string(parts[0]) + " to " + std::string(parts[1]);
-  if (from == to) refuse("--vary " + name + ": " + ends + " is no range");
-  std::vector<double> values;
-  for (std::int64_t i = 0; i < count; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    const double value = i == count - 1 ? to : from + (to - from) * share;
-    Problem problem;
-    if (!check_value(parameter, value, problem)) {
-      refuse("--vary " + name + ": " + std::to_string(count) + " values from " + ends +
-             " are not all allowed: " + problem.message);
-    }
-    values.push_back(value);
-  }
-  return values;
-}
-
 }  // namespace
-
-Axis parse_axis(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) {
-    refuse("--vary " + io::quoted(text) + ": write name=from:to:count or name=a,b,c");
-  }
-  const std::string name = text.substr(0, equals), range = text.substr(equals + 1);
-  const Parameter* parameter = find_parameter(name);
-  if (parameter == nullptr) {
-    std::vector<std::string_view> names;
-    for (const Parameter& candidate : parameters()) names.push_back(candidate.name);
-    const std::string meant = io::did_you_mean(name, names);
-    refuse("--vary: unknown parameter " + io::quoted(name) +
-           (meant.empty() ? "; see 'pupflow params'" : meant));
-  }
-  if (name == "seed")
-    refuse("--vary seed: every run has a seed of its own; use --seeds N for more runs");
-  const auto parts = io::split(range, ':');
-  if (parts.size() == 3) return {parameter, spaced_values(*parameter, parts)};
-  if (parts.size() != 1)
-    refuse("--vary " + io::quoted(text) + ": write name=from:to:count or name=a,b,c");
-  Axis axis{parameter, {}};
-  for (const std::string_view part : io::split(range, ',')) {
-    const double value = value_of(*parameter, part);
-    if (std::find(axis.values.begin(), axis.values.end(), value) != axis.values.end()) {
-      refuse("--vary " + name + ": " + std::string(part) + " is listed twice");
-    }
-    axis.values.push_back(value);
-  }
-  return axis;
-}
 
 Shard parse_shard(const std::string& text) {
   const auto parts = io::split(text, '/');
@@ -99,6 +30,10 @@ Shard parse_shard(const std::string& text) {
 }
 
 std::int64_t Design::points() const {
+  if (!given_seeds.empty()) return static_cast<std::int64_t>(given_seeds.size());
+  if (layout != Layout::grid) {
+    return axes.empty() ? 0 : static_cast<std::int64_t>(axes[0].values.size());
+  }
   std::int64_t count = 1;
   for (const Axis& axis : axes) {
     count *= static_cast<std::int64_t>(axis.values.size());
@@ -111,17 +46,37 @@ std::vector<double> Design::values_at(std::int64_t point) const {
   std::vector<double> values(axes.size());
   for (std::size_t a = axes.size(); a-- > 0;) {
     const auto size = static_cast<std::int64_t>(axes[a].values.size());
-    values[a] = axes[a].values[static_cast<std::size_t>(point % size)];
-    point /= size;
+    const std::int64_t place = layout == Layout::grid ? point % size : point;
+    values[a] = axes[a].values[static_cast<std::size_t>(place)];
+    if (layout == Layout::grid) point /= size;
   }
   return values;
+}
+
+std::int64_t Design::number_of(std::int64_t run) const {
+  const std::int64_t point = run / seeds, seed = run % seeds;
+  const std::int64_t block = seed / seed_block, place = seed % seed_block;
+  return (block * points() + point) * seed_block + place;
+}
+
+std::optional<std::int64_t> Design::run_of(std::int64_t number) const {
+  if (number < 0) return std::nullopt;
+  const std::int64_t block = number / seed_block / points(), point = number / seed_block % points();
+  const std::int64_t seed = block * seed_block + number % seed_block;
+  if (seed >= seeds) return std::nullopt;
+  return point * seeds + seed;
+}
+
+std::int64_t Design::seed_of(std::int64_t run) const {
+  if (!given_seeds.empty()) return given_seeds[static_cast<std::size_t>(run)];
+  return run_seed(base.seed, number_of(run));
 }
 
 Params Design::params_of(std::int64_t run) const {
   Params params = base;
   const std::vector<double> values = values_at(run / seeds);
   for (std::size_t a = 0; a < axes.size(); ++a) axes[a].parameter->set(params, values[a]);
-  params.seed = run_seed(base.seed, run);
+  params.seed = seed_of(run);
   return params;
 }
 
@@ -130,6 +85,37 @@ std::vector<std::int64_t> Design::own_runs() const {
   for (std::int64_t run = shard.number - 1; run < runs(); run += shard.of) own.push_back(run);
   return own;
 }
+
+std::vector<std::string> run_problems(const Params& params) {
+  std::vector<std::string> problems;
+  for (const Problem& problem : check(params)) problems.push_back(problem.message);
+  if (params.steps <= params.discard) {
+    problems.push_back("steps = " + std::to_string(params.steps) +
+                       " leaves no step for the means: it must exceed discard = " +
+                       std::to_string(params.discard));
+  }
+  if (params.steps < params.flow_lag) {
+    problems.push_back("flow_lag = " + std::to_string(params.flow_lag) +
+                       " leaves no step with a pup flow: it must be at most steps = " +
+                       std::to_string(params.steps));
+  }
+  return problems;
+}
+
+namespace {
+
+/// Refuses series that would fill a disk or a folder.
+void check_series(const Design& design, const Params& params) {
+  if (design.record_every == 0) return;
+  if (design.runs() > kMostSeries)
+    refuse("--record: " + std::to_string(design.runs()) + " runs are more files than the " +
+           std::to_string(kMostSeries) + " that one folder may hold; record a smaller sweep");
+  if (params.steps / design.record_every > kMostSamples)
+    refuse("--record: a series of " + std::to_string(params.steps / design.record_every) +
+           " rows is longer than " + std::to_string(kMostSamples) + "; give a larger --every");
+}
+
+}  // namespace
 
 void check_design(const Design& design) {
   std::set<const Parameter*> seen;
@@ -143,22 +129,12 @@ void check_design(const Design& design) {
     refuse("the sweep has more than " + std::to_string(kMostRuns) +
            " runs; vary less or use fewer seeds");
   }
-  std::string problems;
-  for (std::int64_t point = 0; point < points && problems.empty(); ++point) {
+  for (std::int64_t point = 0; point < points; ++point) {
     const Params params = design.params_of(point * design.seeds);
-    for (const Problem& problem : check(params)) problems += problem.message + "\n";
-    if (params.steps <= params.discard) {
-      problems += "steps = " + std::to_string(params.steps) +
-                  " leaves no step for the means: it must exceed discard = " +
-                  std::to_string(params.discard) + "\n";
-    }
-    if (params.steps < params.flow_lag) {
-      problems += "flow_lag = " + std::to_string(params.flow_lag) +
-                  " leaves no step with a pup flow: it must be at most steps = " +
-                  std::to_string(params.steps) + "\n";
-    }
+    const std::vector<std::string> problems = run_problems(params);
+    if (!problems.empty()) refuse(io::joined(problems, "\n"));
+    check_series(design, params);
   }
-  if (!problems.empty()) refuse(problems);
 }
 
 }  // namespace pupflow::study

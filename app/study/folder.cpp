@@ -7,7 +7,10 @@
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
-#include "app/study/plot.h"
+#include "app/study/extend.h"
+#include "app/study/files.h"
+#include "app/study/series.h"
+#include "app/study/table.h"
 
 namespace pupflow::study {
 namespace {
@@ -25,34 +28,21 @@ void make_folder(const std::string& folder) {
   }
 }
 
-void remove_file(const std::string& path) {
-  std::error_code error;
-  if (!fs::remove(path, error) && error) {
-    throw io::Failure(io::ExitCode::bad_file, path + ": cannot remove: " + error.message());
-  }
-}
-
-/// Everything of a sweep that is not its manifest.
+/// Everything that any sweep has beside its manifest.
 std::vector<std::string> other_files(const std::string& folder, const Design& design) {
-  std::vector<std::string> files = plot_paths(folder, design);
-  for (const auto& path : {runs_path, summary_path, journal_path}) files.push_back(path(folder));
+  std::vector<std::string> files = result_paths(folder, design);
+  files.push_back(script_path(folder, design));
+  files.push_back(journal_path(folder));
   return files;
 }
 
-}  // namespace
+void write_text(const std::string& path, const std::string& text) {
+  io::AtomicFile file(path, true);
+  file.write(text);
+  file.commit();
+}
 
-std::string runs_path(const std::string& folder) {
-  return folder + "/runs.csv";
-}
-std::string summary_path(const std::string& folder) {
-  return folder + "/summary.csv";
-}
-std::string manifest_path(const std::string& folder) {
-  return folder + "/manifest.toml";
-}
-std::string journal_path(const std::string& folder) {
-  return folder + "/journal.csv";
-}
+}  // namespace
 
 void claim_folder(const std::string& folder, const Design& design, bool force) {
   make_folder(folder);
@@ -62,12 +52,19 @@ void claim_folder(const std::string& folder, const Design& design, bool force) {
   // The same sweep is resumed even when forced, so the command that replaced another sweep can be
   // given again after an interruption.
   if (there == text) return;
+  if (const auto before = extended_by(design, there)) {
+    prepare_extension(folder, *before);
+    return write_text(path, text);
+  }
   if (claimed && !force) {
     throw io::Failure(io::ExitCode::bad_input,
                       folder + ": holds another sweep: " + manifest_difference(there, text) +
                           "; name another folder with --out, or use --force to replace it");
   }
-  for (const std::string& file : other_files(folder, design)) {
+  std::vector<std::string> in_the_way = other_files(folder, design);
+  if (design.record_every > 0) in_the_way.push_back(series_folder(folder));
+  if (design.layout == Layout::table) in_the_way.push_back(table_path(folder));
+  for (const std::string& file : in_the_way) {
     if (fs::exists(file) && !force) {
       throw io::Failure(io::ExitCode::bad_file,
                         file +
@@ -77,15 +74,18 @@ void claim_folder(const std::string& folder, const Design& design, bool force) {
   }
   // Results are removed first, so a folder never has the manifest of another sweep beside them.
   for (const std::string& file : other_files(folder, design)) remove_file(file);
-  io::AtomicFile manifest(path, true);
-  manifest.write(text);
-  manifest.commit();
+  if (claimed) {
+    remove_file(table_path(folder));
+    remove_series(folder);
+  }
+  if (design.layout == Layout::table) write_text(table_path(folder), table_text(design));
+  write_text(path, text);
 }
 
 Design design_of_folder(const std::string& folder) {
   const std::string path = manifest_path(folder);
   const std::string text = io::read_file(path, kLargestManifest);
-  Design design = parse_manifest(text, path);
+  Design design = parse_manifest(text, path, table_path(folder));
   const std::string own = manifest_text(design);
   if (text == own) return design;
   throw io::Failure(io::ExitCode::bad_input,

@@ -1,4 +1,4 @@
-// The folder of a sweep: its files, and the sweep that it belongs to.
+// The folder of a sweep, and the sweep that it belongs to.
 #pragma once
 
 #include <string>
@@ -7,14 +7,10 @@
 
 namespace pupflow::study {
 
-std::string runs_path(const std::string& folder);
-std::string summary_path(const std::string& folder);
-std::string manifest_path(const std::string& folder);
-std::string journal_path(const std::string& folder);
-
 /// Makes the folder belong to this design. A new folder, or one taken over with `force`, then holds
-/// only the manifest. Throws io::Failure: bad_input, naming the difference, when it holds another
-/// sweep and `force` is false; bad_file when it cannot be made or written to, or holds files of the
+/// only the manifest, and the table of a design that is one. A folder whose sweep this one extends
+/// (extend.h) keeps its finished runs. Throws io::Failure: bad_input, naming the difference, when it
+/// holds another sweep and `force` is false; bad_file when it cannot be made or written to, or holds files of the
 /// same names without a manifest.
 void claim_folder(const std::string& folder, const Design& design, bool force);
 

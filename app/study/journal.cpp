@@ -3,13 +3,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <sstream>
 #include <system_error>
 
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
+#include "app/io/text.h"
 
 namespace pupflow::study {
 namespace {
@@ -43,13 +44,13 @@ void Journal::read() {
     const std::size_t end = bytes.find('\n', good);
     if (end == std::string::npos) break;
     const std::string line = bytes.substr(good, end - good);
-    std::int64_t run = -1;
-    const auto [stop, error] = std::from_chars(line.data(), line.data() + line.size(), run);
-    if (error != std::errc{} || *stop != ',' || run < 0 || run >= design_.runs()) break;
-    const auto row =
-        parse_row(design_, run, line.substr(static_cast<std::size_t>(stop - line.data()) + 1));
+    const std::size_t comma = std::min(line.find(','), line.size());
+    const auto number = io::read_number<std::int64_t>(std::string_view(line).substr(0, comma));
+    const auto run = number ? design_.run_of(*number) : std::nullopt;
+    if (!run || *run >= design_.runs() || comma == line.size()) break;
+    const auto row = parse_row(design_, *run, line.substr(comma + 1));
     if (!row) break;
-    rows_[run] = *row;
+    rows_[*run] = *row;
     good = end + 1;
   }
   if (good < bytes.size() && ::ftruncate(descriptor_, static_cast<off_t>(good)) != 0)
@@ -57,7 +58,8 @@ void Journal::read() {
 }
 
 void Journal::add(const Row& row) {
-  const std::string line = std::to_string(row.run) + "," + row_text(design_, row) + "\n";
+  const std::string line =
+      std::to_string(design_.number_of(row.run)) + "," + row_text(design_, row) + "\n";
   const ssize_t written =
       ::write(descriptor_, line.data(), line.size());  // one call: whole, or cut off
   if (written != static_cast<ssize_t>(line.size())) fail(path_, written < 0 ? errno : ENOSPC);

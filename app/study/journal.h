@@ -8,8 +8,8 @@
 
 namespace pupflow::study {
 
-/// A file to which each run is added when it is finished, as "index,row". Members throw
-/// io::Failure(bad_file).
+/// A file to which each run is added when it is finished, as "number,row" (Design::number_of), so it
+/// stays valid when seeds are added. Members throw io::Failure(bad_file).
 class Journal {
  public:
   /// Opens `path`, or makes it, and reads the runs that it holds. From the first line that is

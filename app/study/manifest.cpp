@@ -4,19 +4,14 @@
 
 #include "app/io/failure.h"
 #include "app/io/provenance.h"
+#include "app/io/schedule_text.h"
 #include "app/io/text.h"
 #include "app/study/design.h"
+#include "app/study/latin.h"
+#include "app/study/table.h"
 
 namespace pupflow::study {
 namespace {
-
-std::string axis_text(const Axis& axis) {
-  std::string text(axis.parameter->name);
-  for (std::size_t i = 0; i < axis.values.size(); ++i) {
-    text += (i == 0 ? "=" : ",") + format_value(*axis.parameter, axis.values[i]);
-  }
-  return text;
-}
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
   throw io::Failure(io::ExitCode::bad_input, where + ": is no manifest of a sweep: " + what);
@@ -31,45 +26,60 @@ T required(const toml::node_view<toml::node>& node, const char* key, const std::
 
 }  // namespace
 
+namespace {
+
+/// The lines that tell of the points.
+std::string points_text(const Design& design) {
+  if (design.layout == Layout::table) {
+    std::vector<std::string_view> columns;
+    for (const Axis& axis : design.axes) columns.push_back(axis.parameter->name);
+    if (!design.given_seeds.empty()) columns.emplace_back("seed");
+    return "columns = \"" + io::joined(columns, ",") + "\"\ntable = \"" + table_hash(design) +
+           "\"\n";
+  }
+  std::vector<std::string> vary = design.spans;
+  if (design.layout == Layout::grid) {
+    for (const Axis& axis : design.axes) vary.push_back(axis_text(axis));
+  }
+  std::string text =
+      "vary = [" +
+      io::joined(vary, ", ", [](const std::string& axis) { return '"' + axis + '"'; }) + "]\n";
+  if (design.layout == Layout::latin) text += "lhs = " + std::to_string(design.points()) + "\n";
+  return text;
+}
+
+}  // namespace
+
 std::string manifest_text(const Design& design) {
   std::ostringstream text;
   text << "# What this sweep computed; 'pupflow sweep' writes it and compares with it before it "
           "goes on.\n"
        << "software = \"" << io::program_version() << "\"\n\n[sweep]\n"
-       << "name = \"" << design.name << "\"\nvary = [";
-  for (std::size_t a = 0; a < design.axes.size(); ++a) {
-    text << (a == 0 ? "" : ", ") << '"' << axis_text(design.axes[a]) << '"';
-  }
-  text << "]\nseeds = " << design.seeds << "\nruns = " << design.runs() << "\nshard = \""
-       << design.shard.number << '/' << design.shard.of << "\"\n\n[parameters]\n";
+       << "name = \"" << design.name << "\"\n"
+       << points_text(design) << "seeds = " << design.seeds << "\n";
+  if (design.seed_block != design.seeds) text << "seed_block = " << design.seed_block << "\n";
+  text << "runs = " << design.runs() << "\n";
+  if (design.record_every > 0) text << "record_every = " << design.record_every << "\n";
+  text << "shard = \"" << design.shard.number << '/' << design.shard.of << "\"\n\n[parameters]\n";
   for (const Parameter& parameter : parameters()) {
     const bool choice = parameter.kind == Parameter::Kind::choice;
     const char* quote = choice ? "\"" : "";
     text << parameter.name << " = " << quote << format_value(parameter, design.base) << quote
          << '\n';
   }
+  const Schedule& schedule = design.base.schedule;
+  if (!schedule.empty()) text << "at = \"" << io::schedule_text(schedule) << "\"\n";
   return text.str();
 }
 
-Design parse_manifest(const std::string& text, const std::string& where) {
-  toml::table table;
-  try {
-    table = toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    refuse(where, std::string(error.description()));
-  }
-  Design design;
-  const auto sweep = table["sweep"];
-  design.name = required<std::string>(sweep, "name", where);
-  design.seeds = required<std::int64_t>(sweep, "seeds", where);
-  design.shard = parse_shard(required<std::string>(sweep, "shard", where));
-  if (const toml::array* vary = sweep["vary"].as_array()) {
-    for (const toml::node& axis : *vary)
-      design.axes.push_back(parse_axis(axis.value_or(std::string())));
-  }
+namespace {
+
+using Node = toml::node_view<toml::node>;
+
+void read_parameters(toml::table& table, const std::string& where, Params& params) {
   if (const toml::table* given = table["parameters"].as_table()) {
     for (const auto& [key, value] : *given) {
-      if (find_parameter(key.str())) continue;
+      if (find_parameter(key.str()) || key.str() == "at") continue;
       refuse(where, "this version has no parameter " + io::quoted(key.str()));
     }
   }
@@ -89,10 +99,59 @@ Design parse_manifest(const std::string& text, const std::string& where) {
     } else {
       refuse(where, "parameter " + name + " is of another kind");
     }
-    if (!parse_value(parameter, value, design.base, problem)) refuse(where, problem.message);
+    if (!parse_value(parameter, value, params, problem)) refuse(where, problem.message);
   }
-  io::take_as_before(missing, where, design.base);
-  if (design.seeds < 1) refuse(where, "seeds must be at least 1");
+  if (const auto at = table["parameters"]["at"].value<std::string>()) {
+    std::vector<std::string> problems;
+    params.schedule = io::parse_schedule(*at, where, problems);
+    if (!problems.empty()) refuse(where, problems.front());
+  }
+  io::take_as_before(missing, where, params);
+}
+
+/// Needs design.base.
+void read_points(Node sweep, const std::string& where, const std::string& table, Design& design) {
+  if (const auto hash = sweep["table"].value<std::string>()) {
+    read_table(table, design);
+    if (table_hash(design) == *hash) return;
+    io::refuse(table + ": is not the table that " + where + " was made with");
+  }
+  std::vector<std::string> vary;
+  if (const toml::array* axes = sweep["vary"].as_array()) {
+    for (const toml::node& axis : *axes) vary.push_back(axis.value_or(std::string()));
+  }
+  if (!sweep["lhs"]) {
+    for (const std::string& axis : vary) design.axes.push_back(parse_axis(axis));
+    return;
+  }
+  const auto points = required<std::int64_t>(sweep, "lhs", where);
+  if (points < 1 || points > kMostValues) refuse(where, "lhs is out of range");
+  std::vector<Span> spans;
+  spans.reserve(vary.size());
+  for (const std::string& span : vary) spans.push_back(parse_span(span));
+  spread_latin(design, spans, points);
+}
+
+}  // namespace
+
+Design parse_manifest(const std::string& text, const std::string& where, const std::string& table) {
+  toml::table toml;
+  try {
+    toml = toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    refuse(where, std::string(error.description()));
+  }
+  Design design;
+  const auto sweep = toml["sweep"];
+  design.name = required<std::string>(sweep, "name", where);
+  design.shard = parse_shard(required<std::string>(sweep, "shard", where));
+  read_parameters(toml, where, design.base);
+  read_points(sweep, where, table, design);
+  design.seeds = required<std::int64_t>(sweep, "seeds", where);
+  design.seed_block = sweep["seed_block"].value_or(design.seeds);
+  design.record_every = sweep["record_every"].value_or(std::int64_t{0});
+  if (design.seeds < 1 || design.seed_block < 1) refuse(where, "seeds must be at least 1");
+  if (design.record_every < 0) refuse(where, "record_every must be at least 0");
   check_design(design);
   return design;
 }

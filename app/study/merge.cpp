@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "app/io/failure.h"
+#include "app/study/files.h"
 #include "app/study/folder.h"
+#include "app/study/series.h"
 
 namespace pupflow::study {
 namespace {
@@ -48,11 +50,13 @@ void refuse_missing(const std::vector<std::string>& holder) {
 SweepResult merge_shards(const std::vector<std::string>& folders, const std::string& folder,
                          bool force) {
   std::optional<Design> whole;
+  std::vector<Design> shards;
   std::vector<Row> rows;
   std::vector<std::string> holder;  // which folder holds shard number i + 1
   for (const std::string& from : folders) {
     LoadedShard loaded = load_shard(from);
     const Shard shard = loaded.design.shard;
+    shards.push_back(loaded.design);
     loaded.design.shard = {};
     if (!whole) {
       whole = loaded.design;
@@ -77,6 +81,7 @@ SweepResult merge_shards(const std::vector<std::string>& folders, const std::str
   if (!whole) refuse("no shards to merge: name their folders");
   refuse_missing(holder);
   claim_folder(folder, *whole, force);
+  for (std::size_t i = 0; i < folders.size(); ++i) copy_series(folders[i], shards[i], folder);
   return write_results(folder, *whole, std::move(rows));
 }
 

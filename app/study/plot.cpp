@@ -7,16 +7,13 @@
 #include "app/io/failure.h"
 #include "app/io/gnuplot.h"
 #include "app/io/provenance.h"
+#include "app/study/files.h"
 #include "app/study/plot_script.h"
+#include "app/study/plot_source.h"
 
 namespace pupflow::study {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> plot_paths(const std::string& folder, const Design& design) {
-  const std::string base = folder + "/" + design.name;
-  return {base + ".png", base + ".svg", base + ".gp"};
-}
 
 std::string draw_plots(const std::string& folder, const Design& design,
                        const std::vector<Summary>& summaries) {
@@ -27,7 +24,7 @@ std::string draw_plots(const std::string& folder, const Design& design,
   }
   if (std::none_of(summaries.begin(), summaries.end(), [](const Summary& s) { return s.runs > 0; }))
     return "no plot: no run was fine";
-  const std::string path = folder + "/" + design.name + ".gp";
+  const std::string path = script_path(folder, design);
   if (!fs::exists(path)) {
     io::AtomicFile file(path, false);
     file.write(text);

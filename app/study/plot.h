@@ -8,9 +8,6 @@
 
 namespace pupflow::study {
 
-/// The files that a design's figure consists of: NAME.png, NAME.svg, and the script, NAME.gp.
-std::vector<std::string> plot_paths(const std::string& folder, const Design& design);
-
 /// Draws summary.csv in `folder`. A script that exists already, perhaps edited by the user, is used
 /// unchanged; otherwise it is written. Both pictures carry the manifest and the parameters, and are
 /// written whole or not at all. Returns an empty text, or one line with the reason why there is no

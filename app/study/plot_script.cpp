@@ -5,40 +5,13 @@
 
 #include "app/io/gnuplot.h"
 #include "app/io/text.h"
+#include "app/study/plot_labels.h"
+#include "app/study/plot_maps.h"
+#include "app/study/plot_source.h"
 #include "app/study/transition.h"
 
 namespace pupflow::study {
 namespace {
-
-/// `text` as gnuplot's enhanced text: "T_b(0)" becomes "T_{b}(0)".
-std::string enhanced(std::string_view text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '_') {
-      result += text[i];
-      continue;
-    }
-    const std::size_t end = std::min(text.find_first_of(" ()", i), text.size());
-    result += "_{" + std::string(text.substr(i + 1, end - i - 1)) + "}";
-    i = end - 1;
-  }
-  return result;
-}
-
-/// A parameter's symbol and title, with its unit.
-std::string label(const Parameter& parameter) {
-  if (parameter.symbol.empty()) return std::string(parameter.title);
-  std::string text = enhanced(parameter.symbol) + "  (" + std::string(parameter.title);
-  if (!parameter.unit.empty()) text += ", " + std::string(parameter.unit);
-  return text + ")";
-}
-
-/// An output's label with its unit.
-std::string label(const Field& field) {
-  std::string text = enhanced(field.label);
-  if (!field.unit.empty()) text += "  (" + std::string(field.unit) + ")";
-  return text;
-}
 
 /// The panels of the paper's Figure 2.
 struct Panel {
@@ -89,6 +62,7 @@ std::string shades(const std::vector<Range>& held) {
 
 /// How the curves of one sweep are drawn.
 struct Curves {
+  std::string source;  // as gnuplot reads it
   std::string varied;
   bool words;  // its values are names, drawn side by side
 
@@ -104,13 +78,13 @@ struct Curves {
     const std::string color_of = std::string(" lc '") + color + "' ";
     std::ostringstream s;
     if (words) {
-      s << "'summary.csv' using " << x << "(" << mean << "):(" << sd << ")" << on
+      s << source << " using " << x << "(" << mean << "):(" << sd << ")" << on
         << " with yerrorbars pt 0 lw 1.5" << color_of << "notitle, \\\n       ";
     } else {
-      s << "'summary.csv' using " << x << "(" << mean << " - " << sd << "):(" << mean << " + " << sd
+      s << source << " using " << x << "(" << mean << " - " << sd << "):(" << mean << " + " << sd
         << ")" << on << " with filledcurves" << color_of << "notitle, \\\n       ";
     }
-    s << "'summary.csv' using " << x << "(" << mean << ")" << ticks << on
+    s << source << " using " << x << "(" << mean << ")" << ticks << on
       << (words ? " with points" : " with linespoints lw 1.8") << " pt " << (axes[3] == '1' ? 7 : 5)
       << " ps 0.6" << color_of << key;
     return s.str();
@@ -131,7 +105,8 @@ std::string four_panels(const Design& design, const Axis& axis,
                         const std::vector<Summary>& summaries) {
   const std::string varied(axis.parameter->name);
   const bool ta = varied == "ta";
-  const Curves curves{varied, axis.parameter->kind == Parameter::Kind::choice};
+  const PlotSource source = plot_source(design, summaries, {&axis});
+  const Curves curves{source.name, varied, axis.parameter->kind == Parameter::Kind::choice};
   const auto number = static_cast<std::size_t>(&axis - design.axes.data());
   const std::vector<Range> held =
       ta ? held_ranges(design, summaries, number) : std::vector<Range>{};
@@ -143,10 +118,9 @@ std::string four_panels(const Design& design, const Axis& axis,
     return summary.statistics[kExposedSd].mean >= 0;  // NaN where the means are of one step
   });
   std::string note;
-  if (design.seeds > 1) {
-    note = std::string(curves.words ? "bars" : "bands") + ": ± 1 standard deviation over " +
-           std::to_string(design.seeds) + " seeds";
-  }
+  const std::string seeds = seeds_text(summaries);
+  if (seeds != "1 seed")
+    note = std::string(curves.words ? "bars" : "bands") + ": ± 1 standard deviation over " + seeds;
   if (!held.empty()) {
     note = "shaded: mean T_{b} within " + io::number_text(kHeld) + " of T_{p}" +
            (note.empty() ? "" : ";   ") + note;
@@ -158,7 +132,7 @@ std::string four_panels(const Design& design, const Axis& axis,
        "textcolor "
        "'#444444'\n"
     << shades(held);
-  if (curves.words) s << "  set xrange [-0.5:" << axis.values.size() << " - 0.5]\n";
+  if (curves.words) s << "  set xrange [-0.5:" << summaries.size() << " - 0.5]\n";
   if (!note.empty())
     s << "  set label 4 '" << note << "' at screen 0.92, 0.02 right tc '#666666'\n";
   char letter = 'A';
@@ -193,58 +167,16 @@ std::string four_panels(const Design& design, const Axis& axis,
   s << "  set border 3\n  unset y2tics\n  unset y2label\n  unset ylabel\n"
     << "  set y2range [*:*]\n  set ytics textcolor '#222222'\n";
   s << "  unset multiplot\n";
-  return io::gnuplot_script(design.name, "summary.csv", 1200, 900, s.str());
-}
-
-std::string heat_maps(const Design& design, const Axis& down, const Axis& across) {
-  std::ostringstream s;
-  s << "  set multiplot layout 2,3 margins 0.06,0.95,0.08,0.94 spacing 0.13,0.13\n"
-    << "  " << io::kViridisPalette << "  set xlabel \"" << label(*across.parameter)
-    << "\"\n  set ylabel \"" << label(*down.parameter)
-    << "\"\n  unset key\n"
-    // Cells by index with the value as label, so that unevenly spaced values fill the plane too.
-    << "  set xrange [-0.5:" << across.values.size()
-    << " - 0.5]\n  set yrange [-0.5:" << down.values.size() << " - 0.5]\n";
-  const auto ticks = [&](const char* axis, const Axis& values) {
-    const std::size_t every = (values.values.size() + 7) / 8;
-    s << "  set " << axis << "tics (";
-    for (std::size_t i = 0; i < values.values.size(); i += every) {
-      std::string text = format_value(*values.parameter, values.values[i]);
-      if (values.parameter->kind == Parameter::Kind::real) {
-        std::ostringstream rounded;
-        rounded << values.values[i];
-        text = rounded.str();
-      }
-      s << (i == 0 ? "" : ", ") << '\'' << text << "' " << i;
-    }
-    s << ")\n";
-  };
-  ticks("x", across);
-  ticks("y", down);
-  for (const Field& field : observables()) {
-    s << "\n  set title \"" << label(field)
-      << "\" offset 0,-0.4\n  plot 'summary.csv' using (int(column(0)) % " << across.values.size()
-      << "):(int(column(0)) / " << across.values.size() << "):(column('" << field.name
-      << "')) with image\n";
-  }
-  s << "  unset multiplot\n";
-  return io::gnuplot_script(design.name, "summary.csv", 1400, 860, s.str());
+  return io::gnuplot_script(design.name, source.block.empty() ? "summary.csv" : "the rows below",
+                            1200, 900, s.str(), source.block);
 }
 
 }  // namespace
 
-std::vector<const Axis*> plotted_axes(const Design& design) {
-  std::vector<const Axis*> axes;
-  for (const Axis& axis : design.axes) {
-    if (axis.values.size() > 1) axes.push_back(&axis);
-  }
-  return axes;
-}
-
 std::string plot_script(const Design& design, const std::vector<Summary>& summaries) {
   const std::vector<const Axis*> axes = plotted_axes(design);
   if (axes.size() == 1) return four_panels(design, *axes[0], summaries);
-  if (axes.size() == 2) return heat_maps(design, *axes[0], *axes[1]);
+  if (axes.size() == 2) return map_script(design, summaries, *axes[0], *axes[1]);
   return {};
 }
 

@@ -8,12 +8,9 @@
 
 namespace pupflow::study {
 
-/// The axes with more than one value.
-std::vector<const Axis*> plotted_axes(const Design& design);
-
-/// Four panels for one such axis, with the range of T_a in which the litter holds its temperature
-/// (transition.h) where that axis is T_a; heat maps of each observable for two, empty otherwise.
-/// The script reads summary.csv in its own folder and writes the design's NAME.png and NAME.svg
+/// Four panels for one axis with several values, with the range of T_a in which the litter holds its temperature
+/// (transition.h) where that axis is T_a; maps of each observable for two (plot_maps.h), empty otherwise.
+/// The script reads summary.csv in its own folder (plot_source.h) and writes the design's NAME.png and NAME.svg
 /// there, or files of another name when gnuplot's variable `name` is set.
 std::string plot_script(const Design& design, const std::vector<Summary>& summaries);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 
 #include "app/io/atomic_file.h"
@@ -25,7 +26,7 @@ std::string key_text(const Design& design, std::int64_t run) {
   for (std::size_t a = 0; a < values.size(); ++a) {
     text += format_value(*design.axes[a].parameter, values[a]) + ",";
   }
-  return text + std::to_string(run_seed(design.base.seed, run)) + ",";
+  return text + std::to_string(design.seed_of(run)) + ",";
 }
 
 std::string varied_names(const Design& design) {
@@ -43,45 +44,53 @@ Spread spread_of(const std::vector<double>& values) {
   return {mean, values.size() < 2 ? kNothing : std::sqrt(square / (n - 1))};
 }
 
-Summary summarise_point(const Design& design, std::int64_t point, const Row* rows) {
+Summary summarise_point(const Design& design, const std::vector<const Row*>& rows) {
   Summary summary;
-  summary.values = design.values_at(point);
+  summary.values = design.values_at(rows.front()->run / design.seeds);
   std::array<std::vector<double>, kRunStatisticCount> values;
-  for (std::int64_t i = 0; i < design.seeds; ++i) {
-    if (!rows[i].fine()) {
+  for (const Row* row : rows) {
+    if (!row->fine()) {
       ++summary.failed;
       continue;
     }
     ++summary.runs;
-    summary.warned += rows[i].warned() ? 1 : 0;
-    for (std::size_t k = 0; k < kRunStatisticCount; ++k) {
-      values[k].push_back(statistic(rows[i], k));
-    }
+    summary.warned += row->warned() ? 1 : 0;
+    for (std::size_t k = 0; k < kRunStatisticCount; ++k) values[k].push_back(statistic(*row, k));
   }
   for (const auto& column : values) summary.statistics.push_back(spread_of(column));
   return summary;
 }
 
-/// |dA/dT_a| along the axis of ta: central differences inside, one-sided at the ends.
+/// |dA/dT_a| between two points.
+double slope(const Summary& a, const Summary& b, std::size_t axis) {
+  constexpr std::size_t kHuddling = statistic_of(Observable::huddling);
+  const double fall = a.statistics[kHuddling].mean - b.statistics[kHuddling].mean;
+  const double way = b.values[axis] - a.values[axis];
+  return way == 0 ? kNothing : std::abs(fall / way);
+}
+
+/// The slope along ta: central differences inside, one-sided at the ends.
 void add_susceptibility(const Design& design, std::vector<Summary>& summaries) {
   for (Summary& summary : summaries) summary.susceptibility = kNothing;
-  std::int64_t stride = 1;
-  for (std::size_t a = design.axes.size(); a-- > 0;) {
-    const Axis& axis = design.axes[a];
-    const auto size = static_cast<std::int64_t>(axis.values.size());
-    if (axis.parameter->name == "ta" && size > 1) {
-      for (std::int64_t i = 0; i < static_cast<std::int64_t>(summaries.size()); ++i) {
-        const std::int64_t k = i / stride % size;
-        const std::int64_t low = i - (k > 0 ? stride : 0), high = i + (k + 1 < size ? stride : 0);
-        const Summary& before = summaries[static_cast<std::size_t>(low)];
-        const Summary& after = summaries[static_cast<std::size_t>(high)];
-        constexpr std::size_t kHuddling = statistic_of(Observable::huddling);
-        const double fall = before.statistics[kHuddling].mean - after.statistics[kHuddling].mean;
-        summaries[static_cast<std::size_t>(i)].susceptibility =
-            std::abs(fall / (after.values[a] - before.values[a]));
-      }
+  const auto ta = std::find_if(design.axes.begin(), design.axes.end(),
+                               [](const Axis& axis) { return axis.parameter->name == "ta"; });
+  if (ta == design.axes.end()) return;
+  const auto axis = static_cast<std::size_t>(ta - design.axes.begin());
+  std::map<std::vector<double>, std::vector<Summary*>> curves;  // by the values of all other axes
+  for (Summary& summary : summaries) {
+    std::vector<double> others = summary.values;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(axis));
+    curves[others].push_back(&summary);
+  }
+  for (auto& [others, curve] : curves) {
+    std::stable_sort(curve.begin(), curve.end(), [&](const Summary* a, const Summary* b) {
+      return a->values[axis] < b->values[axis];
+    });
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const Summary &before = *curve[i > 0 ? i - 1 : i],
+                    &after = *curve[std::min(i + 1, curve.size() - 1)];
+      curve[i]->susceptibility = slope(before, after, axis);
     }
-    stride *= size;
   }
 }
 
@@ -149,13 +158,52 @@ std::optional<Row> parse_row(const Design& design, std::int64_t run, const std::
 }
 
 std::vector<Summary> summarise(const Design& design, const std::vector<Row>& rows) {
-  std::vector<Summary> summaries;
-  for (std::int64_t point = 0; point < design.points(); ++point) {
-    summaries.push_back(
-        summarise_point(design, point, &rows[static_cast<std::size_t>(point * design.seeds)]));
+  std::vector<std::vector<const Row*>> points;
+  std::map<std::vector<double>, std::size_t> places;  // of rows with given seeds
+  for (const Row& row : rows) {
+    const std::int64_t point = row.run / design.seeds;
+    auto place = static_cast<std::size_t>(point);
+    if (!design.given_seeds.empty())
+      place = places.try_emplace(design.values_at(point), places.size()).first->second;
+    if (place >= points.size()) points.resize(place + 1);
+    points[place].push_back(&row);
   }
+  std::vector<Summary> summaries;
+  summaries.reserve(points.size());
+  for (const auto& point : points) summaries.push_back(summarise_point(design, point));
   add_susceptibility(design, summaries);
   return summaries;
+}
+
+std::string seeds_text(const std::vector<Summary>& summaries) {
+  std::int64_t least = 0, most = 0;
+  for (const Summary& summary : summaries) {
+    const std::int64_t seeds = summary.runs + summary.failed;
+    least = most == 0 ? seeds : std::min(least, seeds);
+    most = std::max(most, seeds);
+  }
+  const std::string to = least < most ? " to " + std::to_string(most) : "";
+  return std::to_string(least) + to + (most == 1 ? " seed" : " seeds");
+}
+
+std::string summary_columns(const Design& design) {
+  std::string names = varied_names(design) + "runs";
+  for (const Field& field : run_statistics()) {
+    const std::string name(field.name);
+    names += "," + name + "," + name + "_sd";
+  }
+  return names + ",susceptibility,failed,warned";
+}
+
+std::string summary_text(const Design& design, const Summary& summary) {
+  std::string line;
+  for (std::size_t a = 0; a < summary.values.size(); ++a)
+    line += format_value(*design.axes[a].parameter, summary.values[a]) + ",";
+  line += std::to_string(summary.runs);
+  for (const Spread& spread : summary.statistics)
+    line += "," + io::number_text(spread.mean) + "," + io::number_text(spread.sd);
+  return line + "," + io::number_text(summary.susceptibility) + "," +
+         std::to_string(summary.failed) + "," + std::to_string(summary.warned);
 }
 
 void write_runs(const std::string& path, const Design& design, const std::vector<Row>& rows) {
@@ -170,25 +218,8 @@ void write_summary(const std::string& path, const Design& design,
                    const std::vector<Summary>& summaries) {
   io::AtomicFile file(path, true);
   write_header(file, design);
-  std::string names = varied_names(design) + "runs";
-  for (const Field& field : run_statistics()) {
-    const std::string name(field.name);
-    names += "," + name + "," + name + "_sd";
-  }
-  file.write(names + ",susceptibility,failed,warned\n");
-  for (const Summary& summary : summaries) {
-    std::string line;
-    for (std::size_t a = 0; a < summary.values.size(); ++a) {
-      line += format_value(*design.axes[a].parameter, summary.values[a]) + ",";
-    }
-    line += std::to_string(summary.runs);
-    for (const Spread& spread : summary.statistics) {
-      line += "," + io::number_text(spread.mean) + "," + io::number_text(spread.sd);
-    }
-    line += "," + io::number_text(summary.susceptibility) + "," + std::to_string(summary.failed) +
-            "," + std::to_string(summary.warned);
-    file.write(line + "\n");
-  }
+  file.write(summary_columns(design) + "\n");
+  for (const Summary& summary : summaries) file.write(summary_text(design, summary) + "\n");
   file.commit();
 }
 

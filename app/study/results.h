@@ -1,4 +1,4 @@
-// Rows of a sweep: one per run, and one per grid point with means over its seeds.
+// Rows of a sweep: one per run, and one per point with means over its seeds.
 #pragma once
 
 #include <cstdint>
@@ -41,18 +41,26 @@ struct Spread {
   double mean, sd;
 };
 
-/// One grid point. Bad runs are counted and left out of everything else; those with a warning are
+/// One point. Bad runs are counted and left out of everything else; those with a warning are
 /// counted and left in.
 struct Summary {
   std::vector<double> values;  // of the varied parameters
   std::int64_t runs = 0, failed = 0, warned = 0;
   std::vector<Spread> statistics;  // of run_statistics()
-  double susceptibility =
-      0;  // |d<A>/dT_a| by central differences along ta; NaN when ta is not varied
+  double susceptibility = 0;  // |d<A>/dT_a| by central differences between the neighbouring T_a at
+                              // which all else is equal; NaN where there are none
 };
 
-/// Summaries of all grid points; `rows` holds every run of the design, in order.
+/// Summaries of all points in their order; `rows` holds every run of the design, in order. Rows of a
+/// table with given seeds are one point where all varied parameters are equal.
 std::vector<Summary> summarise(const Design& design, const std::vector<Row>& rows);
+
+/// "10 seeds", "3 to 5 seeds": how many runs the points have.
+std::string seeds_text(const std::vector<Summary>& summaries);
+
+/// Column names and one line (without its end) of the summary CSV.
+std::string summary_columns(const Design& design);
+std::string summary_text(const Design& design, const Summary& summary);
 
 /// Writes NAME.csv style files into place, replacing what is there. Throw io::Failure(bad_file).
 void write_runs(const std::string& path, const Design& design, const std::vector<Row>& rows);

@@ -6,21 +6,28 @@
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
+#include "app/study/files.h"
 #include "app/study/folder.h"
 #include "app/study/journal.h"
 #include "app/study/plot.h"
+#include "app/study/series.h"
 
 namespace pupflow::study {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Computes the own runs that the journal lacks.
-void compute(const SweepJob& job, Journal& journal) {
+/// The own runs that are not finished: without a row in the journal, or without their series.
+std::vector<std::int64_t> missing_runs(const SweepJob& job, const Journal& journal) {
   std::vector<std::int64_t> missing;
   for (const std::int64_t run : job.design.own_runs()) {
-    if (!journal.rows().contains(run)) missing.push_back(run);
+    if (!journal.rows().contains(run) || !has_series(job.folder, job.design, run))
+      missing.push_back(run);
   }
+  return missing;
+}
+
+void compute(const SweepJob& job, const std::vector<std::int64_t>& missing, Journal& journal) {
   const auto total = static_cast<std::int64_t>(missing.size());
   io::Progress progress(job.design.name + ": runs", total, job.quiet);
   std::int64_t done = 0;
@@ -28,13 +35,16 @@ void compute(const SweepJob& job, Journal& journal) {
     return job.design.params_of(missing[static_cast<std::size_t>(i)]);
   };
   const auto deliver = [&](std::int64_t i, const RunResult& result) {
-    journal.add(make_row(missing[static_cast<std::size_t>(i)], result));
+    const std::int64_t run = missing[static_cast<std::size_t>(i)];
+    write_series(job.folder, job.design, run, result);
+    journal.add(make_row(run, result));
     progress.update(++done);
   };
+  const std::int64_t every = job.design.record_every;
   if (job.executor) {
-    job.executor->compute(total, params_of, deliver, io::interrupted);
+    job.executor->compute(total, params_of, deliver, io::interrupted, every);
   } else {
-    run_ensemble(total, job.threads, params_of, deliver, io::interrupted);
+    run_ensemble(total, job.threads, params_of, deliver, io::interrupted, every);
   }
   if (done < total) {
     const std::int64_t own = static_cast<std::int64_t>(job.design.own_runs().size());
@@ -66,16 +76,18 @@ SweepResult run_sweep(const SweepJob& job) {
   check_design(job.design);
   claim_folder(job.folder, job.design, job.force);
   std::vector<Row> rows;
-  std::int64_t resumed = 0;
-  if (fs::exists(runs_path(job.folder))) {
-    rows = read_runs(runs_path(job.folder), job.design);
-    resumed = static_cast<std::int64_t>(rows.size());
-  } else {
+  std::int64_t computed = 0;
+  if (fs::exists(runs_path(job.folder))) rows = read_runs(runs_path(job.folder), job.design);
+  if (rows.empty() || !has_all_series(job.folder, job.design)) {
     Journal journal(journal_path(job.folder), job.design);
-    resumed = static_cast<std::int64_t>(journal.rows().size());
-    compute(job, journal);
+    for (const Row& row : rows) journal.add(row);
+    const std::vector<std::int64_t> missing = missing_runs(job, journal);
+    computed = static_cast<std::int64_t>(missing.size());
+    compute(job, missing, journal);
+    rows.clear();
     for (const std::int64_t run : job.design.own_runs()) rows.push_back(journal.rows().at(run));
   }
+  const std::int64_t resumed = static_cast<std::int64_t>(rows.size()) - computed;
   SweepResult result = write_results(job.folder, job.design, std::move(rows));
   result.resumed = resumed;
   std::error_code ignored;  // a journal left behind is harmless: runs.csv has its rows
@@ -92,8 +104,8 @@ std::string count_text(const Design& design, const std::vector<Row>& rows, const
   if (first == rows.end()) return {};
   return std::to_string(std::count_if(first, rows.end(), odd)) + " of " +
          std::to_string(rows.size()) + " runs " + what + "; the first, run " +
-         std::to_string(first->run) + " (seed " +
-         std::to_string(run_seed(design.base.seed, first->run)) + "): " + first->status;
+         std::to_string(first->run) + " (seed " + std::to_string(design.seed_of(first->run)) +
+         "): " + first->status;
 }
 
 }  // namespace

@@ -50,12 +50,24 @@ std::string held_text(const std::vector<Range>& held) {
 
 }  // namespace
 
-std::vector<Range> held_ranges(const Design& design, const std::vector<Summary>& summaries,
-                               std::size_t axis) {
+namespace {
+
+/// The points in rising order of an axis.
+std::vector<const Summary*> in_rising_order(const std::vector<Summary>& summaries,
+                                            std::size_t axis) {
   std::vector<const Summary*> rising;
   for (const Summary& summary : summaries) rising.push_back(&summary);
-  std::sort(rising.begin(), rising.end(),
-            [&](const Summary* a, const Summary* b) { return a->values[axis] < b->values[axis]; });
+  std::stable_sort(rising.begin(), rising.end(), [&](const Summary* a, const Summary* b) {
+    return a->values[axis] < b->values[axis];
+  });
+  return rising;
+}
+
+}  // namespace
+
+std::vector<Range> held_ranges(const Design& design, const std::vector<Summary>& summaries,
+                               std::size_t axis) {
+  const std::vector<const Summary*> rising = in_rising_order(summaries, axis);
   std::vector<Range> ranges;
   for (std::size_t i = 1; i < rising.size(); ++i) {
     const Summary &a = *rising[i - 1], &b = *rising[i];
@@ -76,18 +88,17 @@ std::vector<Range> held_ranges(const Design& design, const std::vector<Summary>&
 std::optional<Transition> find_transition(const Design& design,
                                           const std::vector<Summary>& summaries) {
   if (design.axes.size() != 1 || design.axes[0].parameter->name != "ta") return std::nullopt;
-  if (summaries.size() < 2 ||
-      !std::is_sorted(design.axes[0].values.begin(), design.axes[0].values.end())) {
-    return std::nullopt;
-  }
+  if (summaries.size() < 2) return std::nullopt;
   for (const Summary& s : summaries) {
     if (s.runs == 0) return std::nullopt;
   }
   Transition t{std::nullopt, peak_of(summaries, kExposedSd), peak_of(summaries, kFlow),
                held_ranges(design, summaries, 0)};
   double steepest = 0;
-  for (std::size_t i = 1; i < summaries.size(); ++i) {
-    const Summary &before = summaries[i - 1], &after = summaries[i];
+  const std::vector<const Summary*> rising = in_rising_order(summaries, 0);
+  for (std::size_t i = 1; i < rising.size(); ++i) {
+    const Summary &before = *rising[i - 1], &after = *rising[i];
+    if (before.values[0] == after.values[0]) continue;
     const double slope = (mean_of(before, kHuddling) - mean_of(after, kHuddling)) /
                          (after.values[0] - before.values[0]);
     if (slope > steepest) {

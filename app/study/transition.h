@@ -34,8 +34,8 @@ struct Transition {
   std::vector<Range> held;        // held_ranges
 };
 
-/// Empty unless ta is the only varied parameter, its values rise, and there are at least two, all
-/// with fine runs.
+/// Empty unless ta is the only varied parameter and has at least two points, in any order, all with
+/// fine runs.
 std::optional<Transition> find_transition(const Design& design,
                                           const std::vector<Summary>& summaries);
 

@@ -66,12 +66,9 @@ void ArenaView::write_picture(const std::string& path, const LiveState& snapshot
     extra.insert(extra.end(), more.begin(), more.end());
   };
   add(camera_entries(camera));
-  if (snapshot.edited_at > 0) {
-    add({{"edited", "parameters were changed on the way, last after step " +
-                        std::to_string(snapshot.edited_at)}});
-  }
+  if (snapshot.hash) add({{"hash", io::hash_text(*snapshot.hash)}});
   add(picture.look_entries());
-  io::write_png(path, image, io::provenance(litter.params, extra), false);
+  io::write_png(path, image, io::provenance(litter.recipe, extra), false);
 }
 
 std::string picture_path(const std::string& pattern, std::int64_t step) {

@@ -9,8 +9,19 @@ void Controls::propose(const Params& candidate) {
   const std::vector<Problem> problems = check(candidate);
   problem = problems.empty() ? std::string{} : problems.front().message;
   if (!problems.empty() || candidate == params) return;
+  commands.push_back(Edit{candidate, params});
   params = candidate;
-  commands.push_back(Edit{params});
+}
+
+void Controls::follow(const Params& in_force, const Schedule& schedule) {
+  for (const Change& change : schedule.changes()) {
+    for (const auto& [place, value] : change.settings) {
+      const Parameter& parameter = parameters()[place];
+      const double now = parameter.get(in_force);
+      if (now != parameter.get(seen)) parameter.set(params, now);
+    }
+  }
+  seen = in_force;
 }
 
 void Controls::color_by(const LitterField& field) {

@@ -15,6 +15,7 @@ namespace pupflow::window {
 /// The window's own state beside the simulation's, and what was asked for since the last frame.
 struct Controls {
   Params params;         // the window's copy: always sound, sent whole with every edit
+  Params seen;           // those of the last snapshot
   double speed = 1;      // times real time, unless
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
@@ -29,6 +30,9 @@ struct Controls {
   /// Makes `candidate` the parameters and asks the runner to take them, if it is sound; otherwise
   /// says why in `problem`.
   void propose(const Params& candidate);
+
+  /// Takes over what the schedule has changed since the last snapshot.
+  void follow(const Params& in_force, const Schedule& schedule);
 
   /// Shows another field in colors, with the usual color map and range of its kind.
   void color_by(const LitterField& field);

@@ -1,16 +1,18 @@
 // What the live window is asked for.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/pictures/look.h"
-#include "pupflow/parameters.h"
+#include "pupflow/snapshot.h"
 
 namespace pupflow::window {
 
 /// `pupflow live`: the window.
 struct LiveJob {
-  Params params;
+  Params params;                 // the recipe
+  std::optional<Snapshot> from;  // a litter of that recipe to begin with; none: a new one
   pictures::Look look;
   int width = 1400, height = 900;
   int threads = 1;           // that share a step

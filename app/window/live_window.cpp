@@ -37,13 +37,14 @@ LiveWindow::LiveWindow(const LiveJob& job)
       arena_(job.look),
       events_(job.test_events),
       runner_({.params = job.params,
+               .from = job.from,
                .playing = !job.paused,
                .threads = job.threads,
                .hashed = job.test_events,
                .notify = [] { glfwPostEmptyEvent(); }}),
       schedule_(drawn_by_processor()) {
   picture_path(job.screenshot, 0);  // a bad pattern fails now, not with the first screenshot
-  controls_.params = job.params;
+  controls_.params = controls_.seen = job.params;
   controls_.look = job.look;
   runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();
@@ -97,7 +98,9 @@ void LiveWindow::exchange_snapshots(double now) {
     const LiveState& snapshot = runner_.snapshot();
     schedule_.snapshot_arrived(now);
     events_.snapshot(snapshot);
-    if (!snapshot.rejected.empty()) controls_.params = snapshot.view().params;
+    const LitterView litter = snapshot.view();
+    if (!snapshot.rejected.empty()) controls_.params = litter.params;
+    controls_.follow(litter.params, job_.params.schedule);
   }
   if (!schedule_.wants_snapshot(now)) return;
   runner_.request();

@@ -24,7 +24,7 @@ Clock::time_point time_point(double seconds_since_epoch) {
 
 Runner::Runner(Options options)
     : options_(std::move(options)),
-      session_(options_.params, options_.playing, options_.threads),
+      session_(options_.params, options_.playing, options_.threads, options_.from),
       thread_([this] { loop(); }) {}
 
 Runner::~Runner() {
@@ -42,6 +42,7 @@ void Runner::send(Command command) {
     const bool replaces = std::holds_alternative<Edit>(command) && !queue_.empty() &&
                           std::holds_alternative<Edit>(queue_.back());
     if (replaces) {
+      std::get<Edit>(command).before = std::get<Edit>(queue_.back()).before;
       queue_.back() = std::move(command);
     } else {
       queue_.push_back(std::move(command));

@@ -21,6 +21,7 @@ class Runner {
  public:
   struct Options {
     Params params;
+    std::optional<Snapshot> from = {};  // a litter of that recipe to begin with; none: a new one
     bool playing = true;
     int threads = 1;               // for the loops of a step
     bool hashed = false;           // snapshots hold the hash

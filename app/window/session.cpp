@@ -2,11 +2,16 @@
 
 #include <new>
 #include <type_traits>
+#include <utility>
 
 namespace pupflow::window {
 
-Session::Session(const Params& params, bool playing, int threads)
-    : simulation_(params), threads_(threads), playing_(playing) {
+Session::Session(const Params& params, bool playing, int threads, std::optional<Snapshot> from)
+    : from_(std::move(from)),
+      begun_with_(params.schedule),
+      simulation_(from_ ? Simulation(*from_) : Simulation(params)),
+      threads_(threads),
+      playing_(playing) {
   simulation_.set_threads(threads_);
   record();
 }
@@ -25,9 +30,9 @@ void Session::apply(const Command& command) {
         } else if constexpr (std::is_same_v<Asked, Speed>) {
           speed_ = asked.factor;
         } else if constexpr (std::is_same_v<Asked, Edit>) {
-          edit(asked.params);
+          edit(asked);
         } else if constexpr (std::is_same_v<Asked, Restart>) {
-          restart(simulation_.params());
+          restart_as_begun();
         } else if constexpr (std::is_same_v<Asked, Observe>) {
           observe(asked.on);
         } else if constexpr (std::is_same_v<Asked, ColorBy>) {
@@ -41,29 +46,59 @@ void Session::apply(const Command& command) {
       command);
 }
 
-void Session::edit(const Params& params) {
+void Session::edit(const Edit& asked) {
   rejected_.clear();
-  const std::vector<Problem> problems = check(params);
+  Params wanted = simulation_.params();
+  for (const Parameter& parameter : parameters()) {
+    const double value = parameter.get(asked.params);
+    const bool changed = !asked.before || parameter.get(*asked.before) != value;
+    if (changed) parameter.set(wanted, value);
+  }
+  const std::vector<Problem> problems = check(wanted);
   if (!problems.empty()) {
     rejected_ = problems.front().message;
-  } else if (needs_restart(simulation_.params(), params)) {
-    restart(params);
-  } else if (params != simulation_.params()) {
-    simulation_.set_params(params);
-    edited_at_ = simulation_.steps_done();
+  } else if (needs_restart(simulation_.params(), wanted)) {
+    from_.reset();
+    wanted.schedule = begun_with_;
+    restart(wanted);
+  } else if (wanted != simulation_.params()) {
+    simulation_.set_params(wanted);
   }
 }
 
+/// The same start again, with the values that were set since, but for those that the schedule sets.
+void Session::restart_as_begun() {
+  if (from_) {
+    begin(Simulation(*from_));
+    return;
+  }
+  Params start = simulation_.params();
+  for (const Change& change : begun_with_.changes()) {
+    for (const auto& [place, value] : change.settings) {
+      const Parameter& parameter = parameters()[place];
+      parameter.set(start, parameter.get(simulation_.recipe()));
+    }
+  }
+  start.schedule = begun_with_;
+  restart(start);
+}
+
 void Session::restart(const Params& params) {
+  if (const std::vector<Problem> problems = check(params); !problems.empty()) {
+    rejected_ = problems.front().message;
+    return;
+  }
   try {
-    simulation_ = Simulation(params);
+    begin(Simulation(params));
   } catch (const std::bad_alloc&) {
     rejected_ = "not enough memory for " + std::to_string(params.pups) + " pups of " +
                 std::to_string(points_per_pup(params)) + " points; fewer of either would fit";
-    return;
   }
+}
+
+void Session::begin(Simulation simulation) {
+  simulation_ = std::move(simulation);
   pending_ = 0;
-  edited_at_ = 0;
   simulation_.set_threads(threads_);
   record();
   look_anew();
@@ -113,7 +148,6 @@ void Session::fill(LiveState& state, bool with_hash) {
   state.litter.take(simulation_, color_by_->velocities);
   state.observables = observables_;
   state.history = history_;
-  state.edited_at = edited_at_;
   state.status = simulation_.status();
   const auto warnings = simulation_.warnings();
   state.warnings.assign(warnings.begin(), warnings.end());

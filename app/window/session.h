@@ -25,6 +25,9 @@ struct Speed {  // times real time; infinite: as fast as possible
 };
 struct Edit {  // a whole parameter set; a new litter when one that defines it differs
   Params params;
+  std::optional<Params> before =
+      {};  // what the user saw: only what differs from it is changed, so that
+           // the schedule goes on with the rest
 };
 struct Restart {};  // the same litter from t = 0
 struct Observe {    // whether the observables are shown
@@ -44,7 +47,6 @@ struct LiveState {
   LitterView view() const { return litter.view(); }
   std::optional<Observables> observables;  // of the last step, when observed
   History history;
-  std::int64_t edited_at = 0;  // the step after which parameters were last changed; 0: never
   Status status;
   std::vector<Warning> warnings;
   bool playing = false;
@@ -58,8 +60,9 @@ struct LiveState {
 /// Not thread-safe.
 class Session {
  public:
-  /// Throws InvalidParams.
-  Session(const Params& params, bool playing, int threads = 1);
+  /// A new litter, or with `from` the litter of that snapshot, whose recipe is then `params`. Throws
+  /// InvalidParams.
+  Session(const Params& params, bool playing, int threads = 1, std::optional<Snapshot> from = {});
 
   void apply(const Command& command);
 
@@ -80,12 +83,16 @@ class Session {
   void fill(LiveState& state, bool with_hash);
 
  private:
-  void edit(const Params& params);
+  void edit(const Edit& asked);
+  void restart_as_begun();
   void restart(const Params& params);
+  void begin(Simulation simulation);
   void observe(bool on);
   void record();
   void look_anew();
 
+  std::optional<Snapshot> from_;  // where it began; none: at a new litter
+  Schedule begun_with_;           // what was to change when it began
   Simulation simulation_;
   std::optional<Observer> observer_;  // none while nobody looks, and before its first step
   std::optional<Observables> observables_;
@@ -93,7 +100,6 @@ class Session {
   const LitterField* color_by_ = &pup_fields().front();
   int threads_;  // that share a step
   bool observed_ = false, suspended_ = false, playing_, changed_ = true;
-  std::int64_t edited_at_ = 0;
   std::int64_t pending_ = 0;  // steps still to be made by Advance
   double speed_ = 1;
   std::string rejected_;

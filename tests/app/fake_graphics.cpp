@@ -43,6 +43,10 @@ class FakeGraphics : public Graphics {
     print_look(job.look, job.output);
   }
 
+  io::Image image(const pictures::ImageJob& job, const LitterView&) override {
+    return {job.width, job.height};
+  }
+
   /// Waits for Ctrl-C when --exit-after is 1, else fails as a module without a display does.
   void live(const LiveJob& job) override {
     std::printf("live %dx%d ui=%g paused=%d shots=%s events=%d\n", job.width, job.height,

@@ -30,7 +30,7 @@ TEST(Checkpoint, GoesOnBitForBit) {
     Simulation whole(p);
     whole.run(200);
     const std::string path = scratch.path("c.h5");
-    write_checkpoint(path, true, whole.snapshot());
+    write_checkpoint(path, true, whole);
     Simulation restored(read_checkpoint(path));
     EXPECT_EQ(restored.params(), p);
     EXPECT_EQ(restored.hash(), whole.hash());
@@ -47,7 +47,7 @@ TEST(Checkpoint, AnEmptyLitterHasOneToo) {
   p.pups = 0;
   Simulation s(p);
   s.run(5);
-  write_checkpoint(scratch.path("c.h5"), false, s.snapshot());
+  write_checkpoint(scratch.path("c.h5"), false, s);
   EXPECT_EQ(read_checkpoint(scratch.path("c.h5")).step, 5);
 }
 
@@ -59,7 +59,7 @@ TEST(Checkpoint, OtherFilesAreRefused) {
   test::failure_of(ExitCode::bad_file, [&] { read_checkpoint(scratch.path("nothing")); });
 
   const std::string whole = scratch.path("whole.h5");
-  write_checkpoint(whole, false, Simulation(small()).snapshot());
+  write_checkpoint(whole, false, Simulation(small()));
   const std::string bytes = test::contents(whole);
   const std::string cut = scratch.file("cut.h5", bytes.substr(0, bytes.size() / 2));
   test::failure_of(ExitCode::bad_file, [&] { read_checkpoint(cut); });
@@ -73,8 +73,7 @@ TEST(Checkpoint, OtherFilesAreRefused) {
 TEST(Checkpoint, AnExistingFileStays) {
   const test::Scratch scratch;
   const std::string path = scratch.file("c.h5", "mine");
-  test::failure_of(ExitCode::bad_file,
-                   [&] { write_checkpoint(path, false, Simulation(small()).snapshot()); });
+  test::failure_of(ExitCode::bad_file, [&] { write_checkpoint(path, false, Simulation(small())); });
   EXPECT_EQ(test::contents(path), "mine");
   EXPECT_EQ(scratch.entries(), 1);
 }

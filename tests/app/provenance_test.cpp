@@ -51,8 +51,8 @@ TEST(Provenance, ParametersReadBackFromPng) {
 TEST(Provenance, ParametersReadBackFromBothCsvFiles) {
   const test::Scratch scratch;
   const Params params = unusual_params();
-  MetricsCsv(scratch.path("m.csv"), false, params).file().commit();
-  PupsCsv(scratch.path("p.csv"), false, params).file().commit();
+  MetricsCsv(scratch.path("m.csv"), false, Simulation(params)).file().commit();
+  PupsCsv(scratch.path("p.csv"), false, Simulation(params)).file().commit();
   EXPECT_EQ(params_of_file(scratch.path("m.csv")), params);
   EXPECT_EQ(params_of_file(scratch.path("p.csv")), params);
 }

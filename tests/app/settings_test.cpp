@@ -36,7 +36,7 @@ TEST(Settings, LikeTakesAllParametersOfAFile) {
   Params params;
   params.ambient_temperature = 0.123456789012345678;
   params.seed = 77;
-  MetricsCsv(scratch.path("m.csv"), false, params).file().commit();
+  MetricsCsv(scratch.path("m.csv"), false, Simulation(params)).file().commit();
   Settings settings;
   settings.like = scratch.path("m.csv");
   EXPECT_EQ(set_up(settings).params, params);

@@ -34,6 +34,7 @@ const std::vector<Layer> kLayers = {
     {"app/io", {kPublic}},
     {"app/export", {kPublic, "app/io"}},
     {"app/study", {kPublic, "app/io"}},
+    {"app/verify", {kPublic, "app/io", "app/study"}},
     {"app/report", {kPublic, "engine", "app/io", "app/study"}},
     {"app/mpi", {kPublic, "app/io", "app/study/executor.h"}},
     {"app/view", {kPublic, "app/io"}},
@@ -41,10 +42,11 @@ const std::vector<Layer> kLayers = {
     {"app/context", {"app/io", "app/gl/load.h"}},
     {"app/pictures", {kPublic, "app/io", "app/view", "app/gl", "app/context"}},
     {"app/window", {kPublic, "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
-    {"app/graphics", {"app/context", "app/pictures", "app/window"}},
+    {"app/graphics", {"app/io", "app/context", "app/pictures", "app/window"}},
     {"app/cli",
-     {kPublic, "app/io", "app/export", "app/study", "app/report", "app/view", "app/mpi/interface.h",
-      "app/graphics/graphics.h", "app/pictures/look.h"}},
+     {kPublic, "app/io", "app/export", "app/study", "app/verify", "app/report", "app/view",
+      "app/mpi/interface.h", "app/graphics/graphics.h", "app/pictures/look.h"}},
+    {"python", {kPublic, "app/io", "app/view", "app/graphics/graphics.h", "app/pictures/image.h"}},
     {"bench", {kPublic, "engine", "app/io", "app/view", "app/gl", "app/context", "app/pictures"}},
 };
 
@@ -67,6 +69,8 @@ const std::vector<Library> kLibraries = {
     {"CLI/", {"app/cli"}},
     {"mpi.h", {"app/mpi"}},
     {"zlib.h", {"app/export"}},
+    {"pybind11/", {"python"}},
+    {"Python.h", {"python"}},
 };
 
 bool starts_with_any(std::string_view text, const std::vector<std::string_view>& prefixes) {

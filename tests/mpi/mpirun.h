@@ -56,11 +56,14 @@ class Ranks : public testing::Test {
     return pupflow::test::run_program("/usr/bin/env", words, folder());
   }
 
-  /// Every file of a folder by name, with its bytes.
+  /// Every file of a folder and of those in it, by its path there, with its bytes.
   std::map<std::string, std::string> files_of(const std::string& name) const {
+    const std::string root = scratch_.path(name);
     std::map<std::string, std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(scratch_.path(name))) {
-      files[entry.path().filename().string()] = contents(entry.path().string());
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+      if (!entry.is_regular_file()) continue;
+      files[std::filesystem::relative(entry.path(), root).string()] =
+          contents(entry.path().string());
     }
     return files;
   }

@@ -27,6 +27,23 @@ TEST_F(Ranks, WithSeveralThreadsEachToo) {
   expect_same("threads", "ranks");
 }
 
+TEST_F(Ranks, SendTheSeriesOfTheirRuns) {
+  const Words record{"--record", "--every", "7"};
+  ASSERT_EQ(alone(sweep(2, "threads") + record).code, 0);
+  ASSERT_TRUE(exists("threads/series/5-2.csv"));
+  EXPECT_EQ(run(mpirun(3, sweep(2, "ranks") + record)).code, 0);
+  expect_same("threads", "ranks");
+}
+
+TEST_F(Ranks, AddSeedsToASweep) {
+  ASSERT_EQ(alone(sweep(4, "whole")).code, 0);
+  ASSERT_EQ(alone(sweep(2, "s")).code, 0);
+  const Outcome outcome = run(mpirun(2, sweep(4, "s")));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("10 runs were there already"));
+  expect_same("whole", "s");
+}
+
 TEST_F(Ranks, MoreRanksThanRuns) {
   ASSERT_EQ(alone({"sweep", "--vary", "ta=0,1", "--seeds", "1", "--steps", "20", "--set",
                    "discard=5", "--out", "threads"})

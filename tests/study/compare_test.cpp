@@ -45,6 +45,23 @@ TEST_F(Compared, AFileDiffersFromItselfByNothing) {
   EXPECT_EQ(comparison.largest_tb, 0);
 }
 
+TEST_F(Compared, AFolderIsItsSummary) {
+  const std::string row = kNames + "0,2,1,1,1,1,1,1,1,1,1,1\n";
+  for (const char* name : {"a", "b", "shard", "other"})
+    std::filesystem::create_directory(scratch_.path(name));
+  scratch_.file("a/summary.csv", row);
+  scratch_.file("b/summary.csv", row);
+  scratch_.file("shard/manifest.toml", "");
+  EXPECT_EQ(compare_summaries(scratch_.path("a"), scratch_.path("b")).differences.size(), 5u);
+  EXPECT_EQ(compare_summaries(scratch_.path("a/"), scratch_.path("b/summary.csv")).rms, 0);
+  const auto refused_folder = [&](const char* name) {
+    return failure_of(ExitCode::bad_input,
+                      [&] { compare_summaries(scratch_.path("a"), scratch_.path(name)); });
+  };
+  EXPECT_THAT(refused_folder("shard"), HasSubstr("not finished, or one of several shards"));
+  EXPECT_THAT(refused_folder("other"), HasSubstr("no folder of a sweep"));
+}
+
 TEST_F(Compared, DifferencesAreInCombinedStandardErrors) {
   // mean_tb: errors 3/sqrt(9) = 1 and 8/sqrt(16) = 2, together sqrt(5). flow: 4/sqrt(9), 0.
   const Comparison comparison = of("# a comment\n" + kNames + "0,9,10,3,1,1,2,1,3,1,0,4\n",

@@ -25,6 +25,40 @@ TEST(Axis, SpacesValuesEvenlyWithBothEnds) {
   EXPECT_EQ(parse_axis("ta=0:0.3:4").values.back(), 0.3);
 }
 
+TEST(Axis, HasNoRoundingNoise) {
+  EXPECT_THAT(parse_axis("ta=0.2:0.8:4").values, ElementsAre(0.2, 0.4, 0.6, 0.8));
+  EXPECT_THAT(parse_axis("ta=0.8:0.2:4").values, ElementsAre(0.8, 0.6, 0.4, 0.2));
+  EXPECT_THAT(parse_axis("ta=-0.3:.3:3").values, ElementsAre(-0.3, 0, 0.3));
+  EXPECT_THAT(parse_axis("ta=1e-3:+7E-3:4").values, ElementsAre(0.001, 0.003, 0.005, 0.007));
+  const Axis tenths = parse_axis("ta=0:1:11");
+  for (int i = 0; i <= 10; ++i) EXPECT_EQ(tenths.values[static_cast<std::size_t>(i)], i / 10.0);
+}
+
+TEST(Axis, OfFigure2HasTheValuesThatItAlwaysHad) {
+  const Axis axis = parse_axis("ta=0:1:24");
+  for (int i = 0; i < 24; ++i) EXPECT_EQ(axis.values[static_cast<std::size_t>(i)], i / 23.0);
+}
+
+TEST(Axis, SpacesNumbersOfManyDigitsToo) {
+  EXPECT_THAT(parse_axis("ta=0:1e300:3").values, ElementsAre(0, 5e299, 1e300));
+  const Axis axis = parse_axis("ta=0.123456789012345678:0.3:3");
+  EXPECT_EQ(axis.values[0], 0.123456789012345678);
+  EXPECT_NEAR(axis.values[1], 0.211728394506172839, 1e-15);
+  EXPECT_EQ(axis.values[2], 0.3);
+}
+
+TEST(Axis, TakesStepsUpToTheEndThatTheyReach) {
+  EXPECT_THAT(parse_axis("ta=0:0.3:step=0.1").values, ElementsAre(0, 0.1, 0.2, 0.3));
+  EXPECT_THAT(parse_axis("ta=0.3:0:step=0.1").values, ElementsAre(0.3, 0.2, 0.1, 0));
+  EXPECT_THAT(parse_axis("ta=0:1:step=0.3").values, ElementsAre(0, 0.3, 0.6, 0.9));
+  EXPECT_THAT(parse_axis("ta=0:1:step=0.33333333333333").values.back(), 1);
+  EXPECT_THAT(parse_axis("ta=0:1:step=2").values, ElementsAre(0));
+  EXPECT_THAT(parse_axis("pups=2:9:step=3").values, ElementsAre(2, 5, 8));
+  const Axis axis = parse_axis("ta=0:1:step=0.05");
+  ASSERT_EQ(axis.values.size(), 21u);
+  for (int i = 0; i <= 20; ++i) EXPECT_EQ(axis.values[static_cast<std::size_t>(i)], i / 20.0);
+}
+
 TEST(Axis, TakesListsInTheirOrder) {
   EXPECT_THAT(parse_axis("beta=0.5,0,0.9").values, ElementsAre(0.5, 0, 0.9));
   EXPECT_THAT(parse_axis("heading=course,body").values, ElementsAre(0, 1));
@@ -46,18 +80,20 @@ TEST_P(WrongAxis, IsRefusedWithWhatWouldBeRight) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, WrongAxis,
-    ::testing::Values(Wrong{"", "name=from:to:count"}, Wrong{"ta", "name=from:to:count"},
-                      Wrong{"ta=0:1", "name=from:to:count"}, Wrong{"ta=0:1:2:3", "name=a,b,c"},
-                      Wrong{"ta=", "ta"}, Wrong{"ta=0,", "ta"}, Wrong{"ta=0,x", "'x'"},
-                      Wrong{"tb=0:1:3", "did you mean 'tb0'"}, Wrong{"zzzzzz=1", "pupflow params"},
-                      Wrong{"seed=1,2", "--seeds"}, Wrong{"ta=0:1:1", "whole number from 2"},
-                      Wrong{"ta=0:1:2.5", "whole number from 2"},
-                      Wrong{"ta=0:1:-3", "whole number from 2"},
-                      Wrong{"ta=0:1:99999999999999999999", "whole number from 2"},
-                      Wrong{"ta=1:1:3", "no range"}, Wrong{"ta=0,1,0", "listed twice"},
-                      Wrong{"pups=2:5:3", "not all allowed"}, Wrong{"alpha=0:2:3", "alpha"},
-                      Wrong{"heading=0:1:2", "heading=course,body"},
-                      Wrong{"heading=north", "course or body"}));
+    ::testing::Values(
+        Wrong{"", "name=from:to:count"}, Wrong{"ta", "name=from:to:count"},
+        Wrong{"ta=0:1", "name=from:to:count"}, Wrong{"ta=0:1:2:3", "name=a,b,c"},
+        Wrong{"ta=", "ta"}, Wrong{"ta=0,", "ta"}, Wrong{"ta=0,x", "'x'"},
+        Wrong{"tb=0:1:3", "did you mean 'tb0'"}, Wrong{"zzzzzz=1", "pupflow params"},
+        Wrong{"seed=1,2", "--seeds"}, Wrong{"ta=0:1:1", "whole number from 2"},
+        Wrong{"ta=0:1:2.5", "whole number from 2"}, Wrong{"ta=0:1:-3", "whole number from 2"},
+        Wrong{"ta=0:1:99999999999999999999", "whole number from 2"}, Wrong{"ta=1:1:3", "no range"},
+        Wrong{"ta=0:1:step=", "a number above 0"}, Wrong{"ta=0:1:step=0", "a number above 0"},
+        Wrong{"ta=0:1:step=-1", "a number above 0"}, Wrong{"ta=0:1:step=x", "'x'"},
+        Wrong{"ta=0:1:step=1e-9", "take a larger step"}, Wrong{"ta=1:1:step=1", "no range"},
+        Wrong{"pups=2:9:step=1.5", "not all allowed"}, Wrong{"ta=0,1,0", "listed twice"},
+        Wrong{"pups=2:5:3", "not all allowed"}, Wrong{"alpha=0:2:3", "alpha"},
+        Wrong{"heading=0:1:2", "heading=course,body"}, Wrong{"heading=north", "course or body"}));
 
 TEST(ShardText, IsIOfN) {
   EXPECT_EQ(parse_shard("1/1"), (Shard{1, 1}));
@@ -89,7 +125,33 @@ TEST(ADesign, TurnsTheLastAxisFastest) {
   EXPECT_EQ(params.ambient_temperature, 0.2);
   EXPECT_EQ(params.deformation, 0.5);
   EXPECT_EQ(params.pups, 3);
-  EXPECT_EQ(params.seed, run_seed(1, 19));
+  EXPECT_EQ(params.seed, run_seed(1, 43));  // the fourth of ten at point 4
+}
+
+TEST(ADesign, KeepsTheNumbersOfItsRunsWhenSeedsAreAdded) {
+  for (const std::int64_t more : {1, 2, 9, 10, 11, 25}) {
+    const Design few = test::small_design({"ta=0:1:7"}, 1),
+                 many = test::small_design({"ta=0:1:7"}, more);
+    std::set<std::int64_t> numbers;
+    for (std::int64_t run = 0; run < many.runs(); ++run) {
+      numbers.insert(many.number_of(run));
+      EXPECT_EQ(many.run_of(many.number_of(run)), run);
+      EXPECT_EQ(few.run_of(many.number_of(run)),
+                run % more == 0 ? std::optional(run / more) : std::nullopt);
+    }
+    EXPECT_EQ(std::ssize(numbers), many.runs());
+    for (std::int64_t point = 0; point < 7; ++point)
+      EXPECT_EQ(many.seed_of(point * more), few.seed_of(point));
+  }
+  EXPECT_FALSE(test::small_design({"ta=0,1"}, 3).run_of(-1));
+}
+
+TEST(ADesign, NumbersTenSeedsAndSinglePointsInOrder) {
+  // So Figure 2 has the seeds that it always had.
+  const Design ten = test::small_design({"ta=0:1:24"}, 10),
+               one = test::small_design({"ta=0.5"}, 33);
+  for (std::int64_t run = 0; run < ten.runs(); ++run) EXPECT_EQ(ten.seed_of(run), run_seed(1, run));
+  for (std::int64_t run = 0; run < one.runs(); ++run) EXPECT_EQ(one.seed_of(run), run_seed(1, run));
 }
 
 TEST(ADesign, DealsItsRunsToShards) {
@@ -144,6 +206,17 @@ TEST_F(WrongDesign, HasTooManyRuns) {
 TEST_F(WrongDesign, LeavesNoStepForTheMeans) {
   Design design = test::small_design({"steps=20,60"}, 1);
   EXPECT_THAT(said(design), HasSubstr("must exceed discard = 20"));
+}
+
+TEST_F(WrongDesign, RecordsMoreThanADiskShouldHold) {
+  Design design = test::small_design({"ta=0:1:1001"}, 100);
+  design.record_every = 1;
+  EXPECT_THAT(said(design), HasSubstr("--record: 100100 runs"));
+  design = test::small_design({"steps=100,2000000"}, 1);
+  design.record_every = 1;
+  EXPECT_THAT(said(design), HasSubstr("give a larger --every"));
+  design.record_every = 2;
+  check_design(design);
 }
 
 TEST_F(WrongDesign, HasAnUnsoundPointSomewhere) {

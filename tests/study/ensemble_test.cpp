@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <vector>
@@ -109,6 +110,32 @@ TEST(Ensemble, ReportsThemWhereOnlyAnObserverAsksForContacts) {
   params.flow_lag = 3;
   expect_means_of_a_watched_run(params);
   EXPECT_GT(run_to_end(params, kNever)->means.huddling, 0);
+}
+
+TEST(Ensemble, ReportsTheSeriesOfARunAndTheSameMeans) {
+  for (const std::int64_t lag : {1, 7, 30}) {
+    Params params = litter(3);
+    params.flow_lag = lag;
+    const auto plain = run_to_end(params, kNever), recorded = run_to_end(params, kNever, 8);
+    EXPECT_TRUE(plain->series.empty());
+    ASSERT_EQ(recorded->series.size(), 7u);  // 8, 16, ... 56 of 60
+    for (const ObservableField& row : observables())
+      EXPECT_EQ(recorded->means.*row.value, plain->means.*row.value) << row.name;
+    EXPECT_EQ(recorded->exposed_sd, plain->exposed_sd);
+    Simulation simulation(params);
+    Observer observer(simulation);
+    for (const Sample& sample : recorded->series) {
+      while (simulation.steps_done() < sample.step) {
+        simulation.step();
+        observer.observe(simulation);
+      }
+      EXPECT_EQ(sample.time, simulation.time());
+      for (const ObservableField& row : observables()) {
+        const double seen = observer.last().*row.value, there = sample.seen.*row.value;
+        EXPECT_TRUE(there == seen || (std::isnan(there) && std::isnan(seen))) << row.name;
+      }
+    }
+  }
 }
 
 TEST(Ensemble, LookingFromTheMiddleOnChangesNoBit) {

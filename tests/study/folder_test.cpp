@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/study/files.h"
+#include "app/study/journal.h"
+#include "app/study/plot_script.h"
+#include "app/study/series.h"
+#include "app/study/table.h"
 #include "tests/app/failing.h"
 #include "tests/study/small_design.h"
 #include "tests/support/scratch.h"
@@ -24,8 +29,8 @@ class AFolder : public ::testing::Test {
   }
   const Scratch scratch_;
   const std::string folder_ = scratch_.path("deep/sweep");
-  const Design design_ = test::small_design({"ta=0,1"}, 2),
-               other_ = test::small_design({"ta=0,1"}, 3);
+  const Design design_ = test::small_design({"ta=0,1"}, 3),
+               other_ = test::small_design({"ta=0,1"}, 2);
 };
 
 TEST_F(AFolder, IsMadeAndHoldsItsDesign) {
@@ -45,7 +50,7 @@ TEST_F(AFolder, KeepsItsResultsWhenTheSameSweepGoesOn) {
 TEST_F(AFolder, RefusesAnotherSweepAndNamesTheDifference) {
   claim_folder(folder_, design_, false);
   EXPECT_THAT(refused(ExitCode::bad_input, other_),
-              AllOf(HasSubstr("'seeds = 2' there, 'seeds = 3' now"), HasSubstr("--force")));
+              AllOf(HasSubstr("'seeds = 3' there, 'seeds = 2' now"), HasSubstr("--force")));
   EXPECT_EQ(contents(manifest_path(folder_)), manifest_text(design_));
 }
 
@@ -55,10 +60,102 @@ TEST_F(AFolder, StartsAfreshWhenForced) {
     scratch_.file(std::string("deep/sweep/") + name, "old");
   }
   scratch_.file("deep/sweep/notes.txt", "mine");
+  std::filesystem::create_directory(series_folder(folder_));
+  scratch_.file("deep/sweep/series/1-12.csv", "old");
   claim_folder(folder_, other_, true);
   EXPECT_EQ(contents(manifest_path(folder_)), manifest_text(other_));
   const std::filesystem::directory_iterator files(folder_);
   EXPECT_EQ(std::distance(begin(files), end(files)), 2);  // manifest and notes
+}
+
+TEST_F(AFolder, LeavesWhatIsNoSeriesAmongTheSeries) {
+  claim_folder(folder_, design_, false);
+  std::filesystem::create_directory(series_folder(folder_));
+  for (const char* name : {"1-1.csv", "mine.csv", "1-1.txt", "1-.csv", "-1-1.csv"})
+    scratch_.file(std::string("deep/sweep/series/") + name, "");
+  claim_folder(folder_, other_, true);
+  const std::filesystem::directory_iterator files(series_folder(folder_));
+  EXPECT_EQ(std::distance(begin(files), end(files)), 4);
+}
+
+class AnExtendedFolder : public AFolder {
+ protected:
+  /// A finished sweep, with the script of its figure.
+  void SetUp() override {
+    claim_folder(folder_, before_, false);
+    write_runs(runs_path(folder_), before_, rows_);
+    scratch_.file("deep/sweep/sweep.gp", plot_script(before_, summarise(before_, rows_)));
+    scratch_.file("deep/sweep/sweep.png", "");
+  }
+  const Design before_ = test::small_design({"ta=0,1"}, 2),
+               after_ = test::small_design({"ta=0,1"}, 12);
+  const std::vector<Row> rows_{test::row_of(0, 1), test::row_of(1, 2), test::row_of(2, 3),
+                               test::row_of(3, 4)};
+};
+
+TEST_F(AnExtendedFolder, KeepsItsRunsAndNothingThatWillChange) {
+  claim_folder(folder_, after_, false);
+  EXPECT_EQ(contents(manifest_path(folder_)), manifest_text(after_));
+  const std::filesystem::directory_iterator files(folder_);
+  EXPECT_EQ(std::distance(begin(files), end(files)), 2);  // manifest and journal
+  const Journal journal(journal_path(folder_), after_);
+  EXPECT_EQ(journal.rows().size(), 4u);
+  EXPECT_EQ(journal.rows().at(13).means.mean_tb, 4);
+}
+
+TEST_F(AnExtendedFolder, KeepsAScriptThatWasEdited) {
+  scratch_.file("deep/sweep/sweep.gp", "edited");
+  claim_folder(folder_, after_, false);
+  EXPECT_EQ(contents(folder_ + "/sweep.gp"), "edited");
+}
+
+TEST_F(AnExtendedFolder, MayGetSeriesAndLosesNone) {
+  Design recorded = before_;
+  recorded.record_every = 5;
+  claim_folder(folder_, recorded, false);
+  EXPECT_EQ(contents(manifest_path(folder_)), manifest_text(recorded));
+  EXPECT_THAT(refused(ExitCode::bad_input, before_), HasSubstr("'record_every = 5' there"));
+  recorded.record_every = 6;
+  EXPECT_THAT(refused(ExitCode::bad_input, recorded), HasSubstr("'record_every = 5' there"));
+}
+
+TEST_F(AnExtendedFolder, IsOneOfTheSameSweepAndWhole) {
+  Design other = after_;
+  other.base.deformation = 0.25;
+  EXPECT_THAT(refused(ExitCode::bad_input, other), HasSubstr("holds another sweep"));
+  other = after_;
+  other.shard = {1, 2};
+  EXPECT_THAT(refused(ExitCode::bad_input, other), HasSubstr("holds another sweep"));
+  EXPECT_EQ(contents(manifest_path(folder_)), manifest_text(before_));
+}
+
+TEST_F(AFolder, KeepsTheTableOfItsDesign) {
+  Design design = test::small_design({}, 2);
+  parse_table("ta\n0.5\n0.25\n", "here", design);
+  claim_folder(folder_, design, false);
+  EXPECT_EQ(contents(table_path(folder_)), "ta\n0.5\n0.25\n");
+  EXPECT_EQ(manifest_text(design_of_folder(folder_)), manifest_text(design));
+  Design other = design;
+  parse_table("ta\n0.5\n0.75\n", "here", other);
+  EXPECT_THAT(refused(ExitCode::bad_input, other), HasSubstr("'table = "));
+}
+
+TEST_F(AFolder, TakesNoTableAndNoSeriesForItsOwnWithoutAManifest) {
+  const Scratch scratch;
+  const std::string folder = scratch.folder().string();
+  scratch.file("design.csv", "somebody's");
+  std::filesystem::create_directory(series_folder(folder));
+  scratch.file("series/1-1.csv", "somebody's");
+  Design table = test::small_design({}, 2), recorded = design_;
+  parse_table("ta\n0.5\n", "here", table);
+  recorded.record_every = 1;
+  for (const Design& design : {table, recorded})
+    failure_of(ExitCode::bad_file, [&] { claim_folder(folder, design, false); });
+  claim_folder(folder, design_, true);
+  EXPECT_EQ(contents(scratch.path("design.csv")), "somebody's");
+  EXPECT_EQ(contents(scratch.path("series/1-1.csv")), "somebody's");
+  claim_folder(folder, table, true);
+  EXPECT_EQ(contents(scratch.path("design.csv")), "ta\n0.5\n");
 }
 
 TEST_F(AFolder, RefusesFilesThatNoManifestExplains) {

@@ -34,6 +34,13 @@ TEST_F(AJournal, HasWhatWasAddedWhenOpenedAgain) {
   EXPECT_EQ(journal.rows().at(4).means.mean_tb, 0.4);
 }
 
+TEST_F(AJournal, StaysValidWhenSeedsAreAdded) {
+  const Design more = test::small_design({"ta=0,1"}, 14);
+  const std::string before = contents(path_);
+  EXPECT_THAT(Journal(path_, more).rows(), ElementsAre(Key(0), Key(2), Key(15)));
+  EXPECT_EQ(contents(path_), before);
+}
+
 TEST_F(AJournal, KeepsWarnings) {
   Journal(path_, design_).add(test::warned_row(3, 1));
   const Journal journal(path_, design_);

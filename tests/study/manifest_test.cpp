@@ -1,9 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/study/design.h"
+#include "app/study/latin.h"
+#include "app/study/table.h"
+#include "pupflow/ensemble.h"
 #include "tests/app/failing.h"
 #include "tests/study/small_design.h"
+#include "tests/support/scratch.h"
 
 namespace pupflow::study {
 namespace {
@@ -38,6 +41,49 @@ TEST(Manifest, ReadsBackToTheSameDesign) {
   EXPECT_EQ(manifest_text(back), manifest_text(design));
 }
 
+Design read_back(const Design& design, const std::string& table = "") {
+  return parse_manifest(manifest_text(design), "here", table);
+}
+
+TEST(Manifest, OfALatinHypercubeHoldsItsRanges) {
+  Design design = test::small_design({}, 3);
+  design.base.seed = 5;
+  spread_latin(design, {parse_span("ta=0:1"), parse_span("heading=course,body")}, 20);
+  EXPECT_THAT(manifest_text(design),
+              HasSubstr("vary = [\"ta=0:1\", \"heading=course,body\"]\nlhs = 20\nseeds = 3\n"));
+  const Design back = read_back(design);
+  EXPECT_EQ(manifest_text(back), manifest_text(design));
+  EXPECT_EQ(back.axes[0].values, design.axes[0].values);
+  EXPECT_EQ(back.axes[1].values, design.axes[1].values);
+}
+
+TEST(Manifest, OfATableHoldsItsHash) {
+  const pupflow::test::Scratch scratch;
+  Design design = test::small_design({}, 3);
+  parse_table("ta,seed\n0.5,1\n0.5,2\n", "here", design);
+  const std::string path = scratch.file("design.csv", table_text(design));
+  EXPECT_THAT(manifest_text(design),
+              HasSubstr("columns = \"ta,seed\"\ntable = \"" + table_hash(design)));
+  const Design back = read_back(design, path);
+  EXPECT_EQ(manifest_text(back), manifest_text(design));
+  EXPECT_EQ(back.given_seeds, design.given_seeds);
+  scratch.file("design.csv", "ta,seed\n0.5,1\n0.5,3\n");
+  EXPECT_THAT(failure_of(ExitCode::bad_input, [&] { read_back(design, path); }),
+              AllOf(HasSubstr(path), HasSubstr("is not the table")));
+  failure_of(ExitCode::bad_file, [&] { read_back(design, scratch.path("none.csv")); });
+}
+
+TEST(Manifest, OfAnOlderVersionNumbersItsSeedsInOrder) {
+  Design design = test::small_design({"ta=0,1"}, 3);
+  EXPECT_EQ(read_back(design).seed_of(3), run_seed(1, 10));
+  std::string text = manifest_text(design);
+  const std::string block = "seed_block = 10\n";
+  text.erase(text.find(block), block.size());
+  EXPECT_EQ(parse_manifest(text, "here").seed_of(3), run_seed(1, 3));
+  design.seeds = 10;  // the same in both
+  EXPECT_THAT(manifest_text(design), ::testing::Not(HasSubstr("seed_block")));
+}
+
 TEST(Manifest, TellsAllDesignsApart) {
   const std::string text = manifest_text(odd_design());
   const auto differs = [&](auto change) {
@@ -47,6 +93,8 @@ TEST(Manifest, TellsAllDesignsApart) {
   };
   EXPECT_TRUE(differs([](Design& d) { d.seeds = 8; }));
   EXPECT_TRUE(differs([](Design& d) { d.shard = {4, 8}; }));
+  EXPECT_TRUE(differs([](Design& d) { d.seed_block = 7; }));
+  EXPECT_TRUE(differs([](Design& d) { d.record_every = 1; }));
   EXPECT_TRUE(differs([](Design& d) { d.axes.pop_back(); }));
   EXPECT_TRUE(differs([](Design& d) { std::swap(d.axes[0], d.axes[1]); }));
   EXPECT_TRUE(differs([](Design& d) { d.axes[0].values[3] += 1e-15; }));
@@ -75,6 +123,9 @@ INSTANTIATE_TEST_SUITE_P(
     All, WrongManifest,
     ::testing::Values(std::pair{"[sweep]", "[sweep"}, std::pair{"seeds = 7", "seeds = 0"},
                       std::pair{"seeds = 7", "seeds = \"7\""}, std::pair{"seeds = 7\n", ""},
+                      std::pair{"seed_block = 10", "seed_block = 0"},
+                      std::pair{"runs = ", "lhs = 0\nruns = "},
+                      std::pair{"runs = ", "record_every = -1\nruns = "},
                       std::pair{"shard = \"3/8\"", "shard = \"9/8\""},
                       std::pair{"beta = 0.5", "beta = 5"}, std::pair{"beta = 0.5", "betta = 0.5"},
                       std::pair{"beta = 0.5", "beta = true"}, std::pair{"pups=2,5", "pups=2,5.5"},

@@ -49,14 +49,19 @@ TEST_F(Picture, OfFigure2CarriesItsManifestInBothFormats) {
 }
 
 TEST_F(Picture, IsDrawnOfEveryKindOfSweep) {
-  const std::vector<Words> kinds{{"--vary", "ta=0:1:3"},
-                                 {"--vary", "ta=0.2,0.4", "--seeds", "1"},
-                                 {"--vary", "heading=course,body"},
-                                 {"--vary", "ta=0.5", "--vary", "beta=0,0.5"},
-                                 {"--vary", "ta=0,0.5,1", "--vary", "beta=0,0.5"},
-                                 {"--vary", "heading=course,body", "--vary", "ta=0:1:12"},
-                                 {"--vary", "ta=0,1", "--set", "k1=0", "--set", "tp=7"},
-                                 {"--vary", "ta=0,1", "--set", "pups=0"}};
+  const std::vector<Words> kinds{
+      {"--vary", "ta=0:1:3"},
+      {"--vary", "ta=0.2,0.4", "--seeds", "1"},
+      {"--vary", "heading=course,body"},
+      {"--vary", "ta=0.5", "--vary", "beta=0,0.5"},
+      {"--vary", "ta=0,0.5,1", "--vary", "beta=0,0.5"},
+      {"--vary", "heading=course,body", "--vary", "ta=0:1:12"},
+      {"--vary", "ta=0.4,0.6,0.5"},
+      {"--vary", "ta=1,0,0.5", "--vary", "v=10000,1"},
+      {"--lhs", "9", "--vary", "ta=0:1", "--vary", "pups=2:4"},
+      {"--lhs", "9", "--vary", "heading=course,body", "--vary", "ta=0:1"},
+      {"--vary", "ta=0,1", "--set", "k1=0", "--set", "tp=7"},
+      {"--vary", "ta=0,1", "--set", "pups=0"}};
   for (Words kind : kinds) {
     const bool seeds = kind.size() > 3 && kind[2] == "--seeds";
     Words words = small("sweep", {"--out", "s", "--force"});

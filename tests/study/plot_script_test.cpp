@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/study/table.h"
 #include "tests/study/small_design.h"
 
 namespace pupflow::study {
@@ -60,6 +61,67 @@ TEST(PlotScript, SaysWhatTheBandsAre) {
   EXPECT_THAT(script_of(small_design({"ta=0,1"}, 12)),
               HasSubstr("± 1 standard deviation over 12 seeds"));
   EXPECT_THAT(script_of(small_design({"ta=0,1"}, 1)), Not(HasSubstr("± 1 standard deviation")));
+}
+
+TEST(PlotScript, OfMapsSaysWhatTheColorsMean) {
+  const auto maps = [](std::int64_t seeds) {
+    return script_of(small_design({"beta=0,0.5", "ta=0,1"}, seeds));
+  };
+  EXPECT_THAT(maps(12), HasSubstr("'means over 12 seeds'"));
+  EXPECT_THAT(maps(1), HasSubstr("'one run at each point'"));
+  const Design design = small_design({"beta=0,0.5", "ta=0,1"}, 1);
+  const std::string script =
+      plot_script(design, summarise(design, {test::row_of(0, 1), test::bad_row(1),
+                                             test::row_of(2, 1), test::row_of(3, 1)}));
+  EXPECT_THAT(script, HasSubstr("blank: no run was fine"));
+}
+
+/// The place of the first line that begins so.
+std::size_t line_at(const std::string& text, const std::string& beginning) {
+  const std::size_t at = text.find("\n" + beginning);
+  EXPECT_NE(at, std::string::npos) << beginning;
+  return at;
+}
+
+TEST(PlotScript, ReadsTheSummaryWhereItsRowsRise) {
+  for (const char* ta : {"ta=0.4,0.5,0.6", "ta=0:1:3"}) {
+    EXPECT_THAT(script_of(small_design({ta}, 2)),
+                AllOf(HasSubstr("plot 'summary.csv' using"), Not(HasSubstr("$summary"))));
+  }
+  EXPECT_THAT(script_of(small_design({"heading=body,course", "ta=0,1"}, 2)),
+              Not(HasSubstr("$summary")));
+}
+
+TEST(PlotScript, DrawsUnsortedAndDescendingValuesInRisingOrder) {
+  for (const char* ta : {"ta=0.4,0.6,0.5", "ta=0.6,0.5,0.4"}) {
+    const std::string script = script_of(small_design({ta}, 2));
+    EXPECT_THAT(script, AllOf(HasSubstr("plot $summary using"), Not(HasSubstr("'summary.csv'"))));
+    EXPECT_LT(line_at(script, "ta,runs,"), line_at(script, "0.4,2,"));
+    EXPECT_LT(line_at(script, "0.4,2,"), line_at(script, "0.5,2,"));
+    EXPECT_LT(line_at(script, "0.5,2,"), line_at(script, "0.6,2,"));
+  }
+  const std::string maps = script_of(small_design({"ta=1,0", "heading=body,course"}, 2));
+  EXPECT_LT(line_at(maps, "0,body,"), line_at(maps, "0,course,"));
+  EXPECT_LT(line_at(maps, "0,course,"), line_at(maps, "1,body,"));
+  EXPECT_THAT(maps, HasSubstr("set ytics ('0' 0, '1' 1)"));
+}
+
+TEST(PlotScript, MapsHaveShortLabelsThatDiffer) {
+  EXPECT_THAT(script_of(small_design({"ta=0.123456,0.61234567", "v=1000,36461.54"}, 2)),
+              AllOf(HasSubstr("set ytics ('0.123' 0, '0.612' 1)"),
+                    HasSubstr("set xtics ('1000' 0, '36462' 1)")));
+  EXPECT_THAT(script_of(small_design({"ta=0.12345,0.12346", "beta=0,1"}, 2)),
+              HasSubstr("('0.12345' 0, '0.12346' 1)"));
+}
+
+TEST(PlotScript, OfATableDrawsPointsWhereTheyAre) {
+  Design design = small_design({}, 2);
+  parse_table("ta,heading\n0.4,body\n0.1,course\n0.3,body\n", "here", design);
+  EXPECT_THAT(script_of(design), AllOf(HasSubstr("(column('ta')):(column('mean_tb')) with points"),
+                                       HasSubstr("strcol('heading') eq 'body' ? 0")));
+  Design line = small_design({}, 2);
+  parse_table("ta,beta\n0.4,0.5\n0.1,0.5\n0.4,0.5\n", "here", line);
+  EXPECT_EQ(count(script_of(line), "  plot "), 4) << "beta is the same everywhere";
 }
 
 TEST(PlotScript, ShadesInAllPanelsWhereTheLitterHoldsItsTemperature) {

@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 
+#include "app/study/table.h"
 #include "tests/app/failing.h"
 #include "tests/study/small_design.h"
 #include "tests/support/scratch.h"
@@ -30,7 +32,7 @@ TEST(RunRow, ReadsBackToTheSameNumbers) {
   row.means.flow = 1e-300;
   row.exposed_sd = std::numeric_limits<double>::quiet_NaN();
   const std::string text = row_text(design, row);
-  EXPECT_THAT(text, StartsWith("1,body," + std::to_string(run_seed(1, 22)) + ",fine,"));
+  EXPECT_THAT(text, StartsWith("1,body," + std::to_string(run_seed(1, 71)) + ",fine,"));
   const auto back = parse_row(design, 22, text);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->run, 22);
@@ -163,6 +165,63 @@ TEST(Susceptibility, TakesOnlyAmbientTemperatureForItsNeighbours) {
   for (const Summary& summary : summarise(design, huddling_rows(design, of))) {
     EXPECT_NEAR(summary.susceptibility, 3, 1e-9);
   }
+}
+
+TEST(Susceptibility, TakesNeighboursByValueInAnyOrderOfTheValues) {
+  const auto square = [](const auto& at) { return at[0] * at[0]; };
+  const auto of = [&](const std::string& vary) {
+    const Design design = small_design({vary}, 1);
+    std::map<double, double> slopes;
+    for (const Summary& summary : summarise(design, huddling_rows(design, square)))
+      slopes[summary.values[0]] = summary.susceptibility;
+    return slopes;
+  };
+  const auto rising = of("ta=0.4,0.5,0.6");
+  EXPECT_NEAR(rising.at(0.4), 0.9, 1e-12);
+  EXPECT_NEAR(rising.at(0.5), 1.0, 1e-12);
+  EXPECT_EQ(of("ta=0.4,0.6,0.5"), rising);
+  EXPECT_EQ(of("ta=0.6,0.5,0.4"), rising);
+}
+
+Design table_design(const std::string& text) {
+  Design design = small_design({}, 1);
+  parse_table(text, "here", design);
+  return design;
+}
+
+TEST(Susceptibility, OfATableIsBetweenRowsThatDifferInNothingElse) {
+  const Design design = table_design("ta,beta\n0,0.1\n0.5,0.2\n1,0.1\n0.7,0.3\n0.7,0.3\n");
+  Design one_seed = design;
+  one_seed.seeds = 1;
+  const auto summaries = summarise(
+      one_seed, huddling_rows(one_seed, [](const auto& at) { return 3 * at[0] + 100 * at[1]; }));
+  EXPECT_NEAR(summaries[0].susceptibility, 3, 1e-12);
+  EXPECT_TRUE(std::isnan(summaries[1].susceptibility));
+  EXPECT_NEAR(summaries[2].susceptibility, 3, 1e-12);
+  EXPECT_TRUE(std::isnan(summaries[3].susceptibility));
+}
+
+TEST(Summaries, OfATableWithSeedsAreOverTheRowsOfEqualParameters) {
+  const Design design = table_design("ta,seed\n0.5,1\n0.1,1\n0.5,2\n0.5,9\n");
+  const auto summaries = summarise(design, {row_of(0, 1), row_of(1, 7), row_of(2, 3), bad_row(3)});
+  ASSERT_EQ(summaries.size(), 2u);
+  EXPECT_EQ(summaries[0].values, std::vector<double>{0.5});
+  EXPECT_EQ(summaries[0].runs, 2);
+  EXPECT_EQ(summaries[0].failed, 1);
+  EXPECT_DOUBLE_EQ(summaries[0].statistics[0].mean, 2);
+  EXPECT_EQ(summaries[1].runs, 1);
+  EXPECT_EQ(seeds_text(summaries), "1 to 3 seeds");
+  EXPECT_EQ(row_text(design, row_of(2, 3)).substr(0, 11), "0.5,2,fine,");
+}
+
+TEST(Summaries, OfATableWithoutSeedsAreOneForEachRow) {
+  Design design = table_design("ta\n0.5\n0.5\n");
+  design.seeds = 2;
+  const auto summaries =
+      summarise(design, {row_of(0, 1), row_of(1, 3), row_of(2, 5), row_of(3, 7)});
+  ASSERT_EQ(summaries.size(), 2u);
+  EXPECT_DOUBLE_EQ(summaries[1].statistics[0].mean, 6);
+  EXPECT_EQ(seeds_text(summaries), "2 seeds");
 }
 
 TEST(RunsFile, ReadsBackAndRefusesWhatIsNotWhole) {

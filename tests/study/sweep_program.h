@@ -26,11 +26,13 @@ inline Words small(const std::string& verb, const Words& more) {
   return words;
 }
 
-/// Every file of a folder by name, with its bytes.
+/// Every file of a folder and of those in it, by its path there, with its bytes.
 inline std::map<std::string, std::string> files_of(const std::string& folder) {
   std::map<std::string, std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    files[entry.path().filename().string()] = contents(entry.path().string());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    files[std::filesystem::relative(entry.path(), folder).string()] =
+        contents(entry.path().string());
   }
   return files;
 }

@@ -51,6 +51,20 @@ TEST(TransitionFinder, FindsSteepestFallPeaksAndTheRangeHeld) {
             "mean T_b is within 0.03 of T_p over T_a 0.450 to 0.608\n");
 }
 
+TEST(TransitionFinder, FindsTheSameInAnyOrderOfTheValues) {
+  const auto text = [](const std::string& ta, const Curve& curve) {
+    const Design design = small_design({ta}, 1);
+    return transition_text(design, *find_transition(design, curve.of(design)));
+  };
+  const std::string expected =
+      text("ta=0.4,0.5,0.6", {{0.3, 0.2, 0.15}, {1, 2, 3}, {3, 2, 1}, {0.5, 0.6, 0.7}});
+  EXPECT_EQ(expected.find("1 - A falls most steeply between T_a 0.400 and 0.500"), 0u);
+  EXPECT_EQ(text("ta=0.4,0.6,0.5", {{0.3, 0.15, 0.2}, {1, 3, 2}, {3, 1, 2}, {0.5, 0.7, 0.6}}),
+            expected);
+  EXPECT_EQ(text("ta=0.6,0.5,0.4", {{0.15, 0.2, 0.3}, {3, 2, 1}, {1, 2, 3}, {0.7, 0.6, 0.5}}),
+            expected);
+}
+
 TEST(TransitionFinder, ClaimsNothingThatIsNotSo) {
   Design design = small_design({"ta=0,0.5"}, 1);
   design.base.air_conductance = 0;
@@ -106,8 +120,8 @@ TEST(TransitionFinder, KeepsSilentWhereThereIsNoCurve) {
   EXPECT_TRUE(none(small_design({"beta=0,0.5"}, 1), 2));
   EXPECT_TRUE(none(small_design({"ta=0,1", "beta=0,0.5"}, 1), 4));
   EXPECT_TRUE(none(small_design({"ta=0.5"}, 1), 1));
-  EXPECT_TRUE(none(small_design({"ta=1,0"}, 1), 2));
   EXPECT_FALSE(none(small_design({"ta=0,1"}, 1), 2));
+  EXPECT_FALSE(none(small_design({"ta=1,0"}, 1), 2));
   const Design design = small_design({"ta=0,1"}, 1);
   EXPECT_FALSE(find_transition(design, summarise(design, {test::row_of(0, 1), test::bad_row(1)})));
 }

@@ -49,7 +49,49 @@ TEST(Session, AnEditActsOnTheNextStep) {
   EXPECT_EQ(snapshot.hash, expected.hash());
   EXPECT_EQ(snapshot.view().params, edited);
   EXPECT_EQ(snapshot.view().step, 6);
-  EXPECT_EQ(snapshot.edited_at, 5);
+  EXPECT_EQ(snapshot.view().recipe, expected.recipe());
+}
+
+/// A litter whose T_a rises from 0.4 to 0.8 between steps 2 and 10.
+Params warming_litter() {
+  const auto ta = static_cast<std::size_t>(find_parameter("ta") - parameters().data());
+  Params params = small_litter();
+  params.schedule.add({.step = 2, .until = 10, .settings = {{ta, 0.8}}, .pup = {}, .action = {}});
+  return params;
+}
+
+TEST(Session, TheScheduleGoesOnBesideAnEdit) {
+  const Params params = warming_litter();
+  Session session(params, true);
+  for (int i = 0; i < 5; ++i) session.step();
+  Params edited = small_litter();  // as the window still sees T_a
+  edited.gravity = 3;
+  session.apply(Edit{edited, small_litter()});
+  for (int i = 0; i < 10; ++i) session.step();
+  const LiveState later = look_at(session);
+  EXPECT_EQ(later.view().params.gravity, 3);
+  EXPECT_EQ(later.view().params.ambient_temperature, 0.8);
+  Simulation again(later.view().recipe);
+  again.run(15);
+  EXPECT_EQ(again.hash(), later.hash);
+}
+
+TEST(Session, ARestartBeginsTheScheduleAgain) {
+  Session session(warming_litter(), true);
+  for (int i = 0; i < 15; ++i) session.step();
+  session.apply(Restart{});
+  EXPECT_EQ(look_at(session).view().recipe, warming_litter());
+}
+
+TEST(Session, ARestartGoesBackToTheCheckpoint) {
+  Simulation start(warming_litter());
+  start.run(7);
+  Session session(start.recipe(), true, 1, start.snapshot());
+  for (int i = 0; i < 5; ++i) session.step();
+  session.apply(Restart{});
+  const LiveState again = look_at(session);
+  EXPECT_EQ(again.view().step, 7);
+  EXPECT_EQ(again.hash, start.hash());
 }
 
 TEST(Session, AnEditOfTheLitterRestartsIt) {
@@ -61,7 +103,7 @@ TEST(Session, AnEditOfTheLitterRestartsIt) {
   const LiveState snapshot = look_at(session);
   EXPECT_EQ(snapshot.view().step, 0);
   EXPECT_EQ(snapshot.view().pups, 4);
-  EXPECT_EQ(snapshot.edited_at, 0);
+  EXPECT_TRUE(snapshot.view().recipe.schedule.empty());
   EXPECT_EQ(snapshot.view().positions.points(), 54);
   EXPECT_EQ(snapshot.hash, Simulation(edited).hash());
   EXPECT_TRUE(session.running());

@@ -1,6 +1,7 @@
 // The table and the notes of the time that a plan saves.
 #include <cstdio>
 
+#include "app/io/provenance.h"
 #include "app/report/savings/savings.h"
 
 namespace pupflow::report {
@@ -18,12 +19,6 @@ std::string zero() {
 
 std::string dash() {
   return std::string(8, ' ') + "-";
-}
-
-std::string hexadecimal(std::uint64_t hash) {
-  char text[24];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
 }
 
 }  // namespace
@@ -86,13 +81,13 @@ std::vector<std::string> savings_notes(const Savings& savings) {
   }
   notes.push_back("Left out: " + left_out + ".");
   notes.push_back("After step " + std::to_string(savings.last) +
-                  " the hash of the whole state is " + hexadecimal(savings.hash) +
+                  " the hash of the whole state is " + io::hash_text(savings.hash) +
                   ", with and without each part whose last column says so.");
   if (headings) {
     notes.push_back(
         "Steering turns the headings of pups that have no drive, and nothing reads those: without "
         "headings the hash is " +
-        hexadecimal(savings.rest_hash) + " in both cases.");
+        io::hash_text(savings.rest_hash) + " in both cases.");
   }
   return notes;
 }

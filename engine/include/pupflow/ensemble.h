@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "pupflow/observer.h"
 #include "pupflow/parameters.h"
@@ -11,18 +12,28 @@
 
 namespace pupflow {
 
+/// What was seen after one step of a run.
+struct Sample {
+  std::int64_t step;
+  double time;  // model seconds
+  Observables seen;
+};
+
 /// The result of a whole run.
 struct RunResult {
-  Status status;          // of the last step; if it is bad, the means are not valid
-  Observables means;      // over the steps after `discard`
-  double exposed_sd = 0;  // standard deviation of a pup's A over time, mean over pups
-  Warnings warnings;      // of the steps that were taken
+  Status status;               // of the last step; if it is bad, the means are not valid
+  Observables means;           // over the steps after `discard`
+  double exposed_sd = 0;       // standard deviation of a pup's A over time, mean over pups
+  Warnings warnings;           // of the steps that were taken
+  std::vector<Sample> series;  // after steps N, 2 N, ... for series_every = N
 };
 
 /// Runs `params.steps` steps, or to the first bad status. The litter is observed only as the means
-/// need it, from flow_lag steps before they begin. `stop` is called between steps; when it returns
-/// true, the run ends without a result. Throws InvalidParams.
-std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop);
+/// need it, from flow_lag steps before they begin, or from the start where a series is wanted
+/// (series_every > 0), which changes no other number of the result. `stop` is called between steps;
+/// when it returns true, the run ends without a result. Throws InvalidParams.
+std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop,
+                                    std::int64_t series_every = 0);
 
 /// Calls `body` with each of 0 ... count - 1 once, on `threads` threads (at least 1), in no fixed
 /// order. After an exception in `body` no further index is begun; the first exception is thrown
@@ -37,9 +48,9 @@ void for_each_index(std::int64_t count, int threads, const std::function<void(st
 void run_ensemble(std::int64_t count, int threads,
                   const std::function<Params(std::int64_t)>& params_of,
                   const std::function<void(std::int64_t, const RunResult&)>& deliver,
-                  const std::function<bool()>& stop);
+                  const std::function<bool()>& stop, std::int64_t series_every = 0);
 
-/// The seed of a run: a function of base seed and run index alone, different for every run of a
+/// The seed of a run: a function of base seed and run number alone, different for every run of a
 /// sweep of up to 2^31 runs.
 std::int64_t run_seed(std::int64_t base_seed, std::int64_t run);
 

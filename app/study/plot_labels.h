@@ -1,0 +1,24 @@
+// Words in the figures of a sweep, as gnuplot's enhanced text.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/study/axis.h"
+#include "pupflow/fields.h"
+
+namespace pupflow::study {
+
+/// `text` with its indices set low: "T_b(0)" becomes "T_{b}(0)".
+std::string enhanced(std::string_view text);
+
+/// A parameter's symbol and title, or an output's label, with the unit.
+std::string label(const Parameter& parameter);
+std::string label(const Field& field);
+
+/// Values of a parameter in so few digits, at least three, that all differ.
+std::vector<std::string> short_values(const Parameter& parameter,
+                                      const std::vector<double>& values);
+
+}  // namespace pupflow::study

@@ -1,0 +1,106 @@
+#include "app/study/series.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/io/atomic_file.h"
+#include "app/io/csv.h"
+#include "app/io/failure.h"
+#include "app/io/provenance.h"
+#include "app/io/read_file.h"
+#include "app/io/text.h"
+
+namespace pupflow::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestSeries = std::size_t{1} << 30;
+
+/// Whether it is a name that series_path makes.
+bool is_series(const std::string& name) {
+  constexpr std::string_view kEnding = ".csv";
+  if (!name.ends_with(kEnding)) return false;
+  const auto parts = io::split(std::string_view(name).substr(0, name.size() - kEnding.size()), '-');
+  return parts.size() == 2 && std::all_of(parts.begin(), parts.end(), [](std::string_view part) {
+           return io::read_number<std::uint64_t>(part).has_value();
+         });
+}
+
+/// Those of the metrics CSV of a run.
+std::string columns() {
+  std::string names = "step,time";
+  for (const Field& field : observables()) names.append(",").append(field.name);
+  return names;
+}
+
+void make_series_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directory(series_folder(folder), error);
+  if (error) {
+    throw io::Failure(io::ExitCode::bad_file,
+                      series_folder(folder) + ": cannot make this folder: " + error.message());
+  }
+}
+
+}  // namespace
+
+std::string series_folder(const std::string& folder) {
+  return folder + "/series";
+}
+
+std::string series_path(const std::string& folder, const Design& design, std::int64_t run) {
+  return series_folder(folder) + "/" + std::to_string(run / design.seeds + 1) + "-" +
+         std::to_string(run % design.seeds + 1) + ".csv";
+}
+
+bool has_series(const std::string& folder, const Design& design, std::int64_t run) {
+  return design.record_every == 0 || fs::exists(series_path(folder, design, run));
+}
+
+bool has_all_series(const std::string& folder, const Design& design) {
+  const std::vector<std::int64_t> runs = design.own_runs();
+  return design.record_every == 0 || std::all_of(runs.begin(), runs.end(), [&](std::int64_t run) {
+           return has_series(folder, design, run);
+         });
+}
+
+void write_series(const std::string& folder, const Design& design, std::int64_t run,
+                  const RunResult& result) {
+  if (design.record_every == 0) return;
+  make_series_folder(folder);
+  const Params params = design.params_of(run);
+  io::CsvFile csv(series_path(folder, design, run), true, io::provenance(params), columns());
+  for (const Sample& sample : result.series) {
+    csv.cell(sample.step).cell(sample.time);
+    for (const ObservableField& row : observables()) csv.cell(sample.seen.*row.value);
+    csv.end_row();
+  }
+  for (const Warning& warning : result.warnings.all()) csv.comment("warning: " + warning.message());
+  if (!result.status.ok()) csv.comment("ended early: " + result.status.message());
+  csv.commit();
+}
+
+void copy_series(const std::string& from, const Design& shard, const std::string& to) {
+  if (shard.record_every == 0) return;
+  make_series_folder(to);
+  for (const std::int64_t run : shard.own_runs()) {
+    io::AtomicFile copy(series_path(to, shard, run), true);
+    copy.write(io::read_file(series_path(from, shard, run), kLargestSeries));
+    copy.commit();
+  }
+}
+
+void remove_series(const std::string& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(series_folder(folder), error)) {
+    if (!is_series(entry.path().filename().string())) continue;
+    if (!fs::remove(entry.path(), error) && error) {
+      throw io::Failure(io::ExitCode::bad_file,
+                        entry.path().string() + ": cannot remove: " + error.message());
+    }
+  }
+  fs::remove(series_folder(folder), error);  // stays when something else is in it
+}
+
+}  // namespace pupflow::study

@@ -1,0 +1,43 @@
+#include "app/verify/verify.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/io/csv.h"
+#include "app/io/failure.h"
+#include "app/io/params_of_file.h"
+#include "app/io/read_file.h"
+#include "app/verify/kinds.h"
+
+namespace pupflow::verify {
+namespace {
+
+bool has_column(const std::vector<std::string>& columns, const char* name) {
+  return std::find(columns.begin(), columns.end(), name) != columns.end();
+}
+
+Verdict verify_csv(const std::string& path, const Options& options) {
+  const std::vector<std::string> columns = io::CsvReader(path).columns();
+  if (has_column(columns, "status")) return verify_runs(path, options);
+  if (columns == io::metrics_columns()) return verify_metrics(path, options);
+  if (columns == io::pups_columns()) return verify_pups(path, options);
+  io::refuse(path +
+             ": cannot be repeated; its columns are not those that this version writes for a run, "
+             "its pups or a sweep's runs");
+}
+
+}  // namespace
+
+Verdict verify(const std::string& path, const Options& options) {
+  std::error_code ignored;
+  const bool folder = std::filesystem::is_directory(path, ignored);
+  const std::string file = folder ? path + "/runs.csv" : path;
+  const std::string beginning = io::read_beginning(file, 8);
+  const bool picture = beginning == "\x89PNG\r\n\x1a\n", hdf5 = beginning == "\x89HDF\r\n\x1a\n";
+  if (options.row && (picture || hdf5)) io::refuse(path + ": --row takes a sweep's runs.csv");
+  if (picture) return verify_picture(file, options);
+  if (hdf5) return verify_hdf5(file, options);
+  return verify_csv(file, options);
+}
+
+}  // namespace pupflow::verify

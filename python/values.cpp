@@ -1,0 +1,79 @@
+#include "python/values.h"
+
+#include <limits>
+
+#include "app/io/failure.h"
+#include "app/io/nearest.h"
+#include "app/io/scene_file.h"
+#include "app/io/text.h"
+
+namespace pupflow::python {
+namespace {
+
+[[noreturn]] void refuse_type(const Parameter& parameter, const char* wanted, py::handle value) {
+  throw py::type_error(std::string(parameter.name) + " must be " + wanted + ", not " +
+                       Py_TYPE(value.ptr())->tp_name);
+}
+
+/// Any number of Python or numpy. An int beyond all doubles is infinite here.
+double number_of(const Parameter& parameter, py::handle value) {
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (number != -1 || !PyErr_Occurred()) return number;
+  const bool huge = PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
+  PyErr_Clear();
+  if (huge) return std::numeric_limits<double>::infinity();
+  refuse_type(parameter, "a number", value);
+}
+
+const Parameter& parameter_called(const std::string& name) {
+  if (const Parameter* parameter = find_parameter(name)) return *parameter;
+  std::vector<std::string_view> names;
+  for (const Parameter& parameter : parameters()) names.push_back(parameter.name);
+  const std::string meant = io::did_you_mean(name, names);
+  throw py::type_error("unknown parameter " + io::quoted(name) +
+                       (meant.empty() ? "; must be one of " + io::joined(names, ", ") : meant));
+}
+
+}  // namespace
+
+py::object value_of(const Parameter& parameter, const Params& params) {
+  switch (parameter.kind) {
+    case Parameter::Kind::real:
+      return py::float_(parameter.get(params));
+    case Parameter::Kind::integer:
+      return py::int_(static_cast<std::int64_t>(parameter.get(params)));
+    case Parameter::Kind::choice:
+      break;
+  }
+  return py::str(format_value(parameter, params));
+}
+
+void take_value(const Parameter& parameter, py::handle value, Params& params,
+                std::vector<std::string>& problems) {
+  Problem problem;
+  if (parameter.kind == Parameter::Kind::choice) {
+    if (!py::isinstance<py::str>(value)) refuse_type(parameter, "a str", value);
+    if (parse_value(parameter, value.cast<std::string>(), params, problem)) return;
+  } else {
+    const double number = number_of(parameter, value);
+    if (check_value(parameter, number, problem)) return parameter.set(params, number);
+  }
+  problems.push_back(problem.message);
+}
+
+Params params_of(py::handle scene, const py::dict& named) {
+  std::vector<std::string> problems;
+  Params params;
+  if (!scene.is_none()) {
+    const py::object path = py::module_::import("os").attr("fspath")(scene);
+    params = io::load_scene(path.cast<std::string>(), problems).params;
+  }
+  for (const auto& [name, value] : named) {
+    take_value(parameter_called(name.cast<std::string>()), value, params, problems);
+  }
+  for (const Problem& problem : check(params)) problems.push_back(problem.message);
+  if (!problems.empty()) io::refuse(io::joined(problems, "\n"));
+  return params;
+}
+
+}  // namespace pupflow::python

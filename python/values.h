@@ -1,0 +1,28 @@
+// Values of parameters between Python and the engine.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <vector>
+
+#include "pupflow/parameters.h"
+
+namespace pupflow::python {
+
+namespace py = pybind11;
+
+/// The parameter's value as a float, an int or, of a choice, a str.
+py::object value_of(const Parameter& parameter, const Params& params);
+
+/// Sets one parameter. What is wrong with the value goes to `problems`. Throws TypeError for a value
+/// of the wrong type.
+void take_value(const Parameter& parameter, py::handle value, Params& params,
+                std::vector<std::string>& problems);
+
+/// The parameters of a scene (None, a shipped name or a path), with those of `named` on top. Throws
+/// TypeError for an unknown name or a wrong type, ValueError with every problem, OSError when the
+/// scene cannot be read.
+Params params_of(py::handle scene, const py::dict& named);
+
+}  // namespace pupflow::python

@@ -1,0 +1,85 @@
+"""What goes wrong is an exception with the sentence of the program."""
+
+import unittest
+
+import pupflow
+
+
+class Errors(unittest.TestCase):
+    def refused(self, error, words, call):
+        with self.assertRaises(error) as caught:
+            call()
+        self.assertEqual(str(caught.exception), words)
+
+    def setUp(self):
+        self.litter = pupflow.Litter("cold", pups=2)
+
+    def test_unknown_names(self):
+        self.refused(TypeError, "unknown parameter 'sigmma'; did you mean 'sigma'?",
+                     lambda: pupflow.Litter(sigmma=1))
+        self.refused(TypeError, "unknown parameter 'tta'; did you mean 'ta'?", lambda: pupflow.run(tta=1))
+        self.refused(AttributeError, "Litter has no attribute 'sigmma'; did you mean 'sigma'?",
+                     lambda: self.litter.sigmma)
+        self.refused(AttributeError, "Litter has no attribute 'sigmma'; did you mean 'sigma'?",
+                     lambda: setattr(self.litter, "sigmma", 1))
+        self.refused(AttributeError, "AfferentFields has no attribute 'temprature'; did you mean 'temperature'?",
+                     lambda: self.litter.afferent.temprature)
+        with self.assertRaisesRegex(ValueError, "no scene 'colt'; did you mean 'cold'"):
+            pupflow.Litter("colt")
+        with self.assertRaisesRegex(TypeError, "must be one of ta, "):
+            pupflow.Litter(completely_different=1)
+
+    def test_wrong_values(self):
+        words = "alpha = 2: rigidity must be 0 … 1"
+        self.refused(ValueError, words, lambda: pupflow.Litter(alpha=2))
+        self.refused(ValueError, words, lambda: setattr(self.litter, "alpha", 2))
+        self.assertEqual(self.litter.alpha, 0.7)
+        self.refused(ValueError, "heading = 'boddy': heading must be course or body",
+                     lambda: pupflow.Litter(heading="boddy"))
+        with self.assertRaisesRegex(ValueError, "alpha = nan"):
+            pupflow.Litter(alpha=float("nan"))
+        with self.assertRaisesRegex(ValueError, "a whole number"):
+            pupflow.Litter(pups=1.5)
+        with self.assertRaisesRegex(ValueError, "pups"):
+            pupflow.Litter(pups=10**400)
+
+    def test_all_problems_are_told_at_once(self):
+        with self.assertRaises(ValueError) as caught:
+            pupflow.Litter(alpha=2, beta=2, arena_radius=0.1)
+        lines = str(caught.exception).splitlines()
+        self.assertEqual([line.split(" = ")[0] for line in lines], ["alpha", "beta", "arena_radius"])
+
+    def test_wrong_types(self):
+        self.refused(TypeError, "ta must be a number, not str", lambda: pupflow.Litter(ta="0.3"))
+        self.refused(TypeError, "contact must be a str, not int", lambda: pupflow.Litter(contact=1))
+        with self.assertRaises(TypeError):
+            self.litter.step(1.5)
+        with self.assertRaises(TypeError):
+            pupflow.Litter(3)
+
+    def test_what_defines_the_litter_cannot_change(self):
+        self.refused(AttributeError, "pups defines the litter and cannot change; make a new one: Litter(pups=...)",
+                     lambda: setattr(self.litter, "pups", 3))
+        self.litter.pups = 2  # no change
+        with self.assertRaises(AttributeError):
+            self.litter.tb = 1
+
+    def test_counts(self):
+        self.refused(ValueError, "step(-1): must be 0 or more steps", lambda: self.litter.step(-1))
+        with self.assertRaises(ValueError):
+            self.litter.threads = 0
+        self.litter.threads = 2
+        self.assertEqual(self.litter.threads, 2)
+
+    def test_bad_numbers_say_where(self):
+        litter = pupflow.Litter(pups=2, gravity=1e300)
+        with self.assertRaises(pupflow.BadNumbers) as caught:
+            litter.step(1000)
+        error = caught.exception
+        self.assertIsInstance(error, ArithmeticError)
+        self.assertIn(f"at step {error.step}, stage {error.stage}, pup {error.pup}", str(error))
+        for again in (litter.step, litter.observe):
+            with self.assertRaises(pupflow.BadNumbers):
+                again()
+        with self.assertRaises(pupflow.BadNumbers):
+            pupflow.run(pups=2, gravity=1e300)

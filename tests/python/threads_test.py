@@ -1,0 +1,50 @@
+"""Litters in threads, and Ctrl-C."""
+
+import os
+import signal
+import threading
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+
+import pupflow
+
+
+def hash_of(seed):
+    litter = pupflow.Litter("cold", seed=seed, pups=4)
+    for _ in range(50):
+        litter.step()
+        litter.tb
+    return litter.hash
+
+
+class Threads(unittest.TestCase):
+    def test_litters_in_threads_are_those_of_one_thread(self):
+        seeds = range(16)
+        with ThreadPoolExecutor(8) as threads:
+            self.assertEqual(list(threads.map(hash_of, seeds)), list(map(hash_of, seeds)))
+
+    def test_a_litter_that_is_being_stepped_refuses(self):
+        litter = pupflow.Litter("cold")
+        thread = threading.Thread(target=litter.step, args=(3000,))
+        thread.start()
+        refusals = 0
+        while thread.is_alive():  # here this thread has the GIL, so step() has let go of it
+            for look in (lambda: litter.tb, lambda: litter.ta, litter.copy, litter.step, lambda: litter.hash):
+                try:
+                    look()
+                except RuntimeError as error:
+                    self.assertIn("another call steps or draws this litter", str(error))
+                    refusals += 1
+        self.assertGreater(refusals, 0)
+        litter.tb
+
+    def test_interrupts_end_a_call_between_steps(self):
+        litter = pupflow.Litter("cold", pups=2)
+        for call in (lambda: litter.step(10**12), lambda: pupflow.run("cold", steps=10**12)):
+            with self.assertRaises(KeyboardInterrupt):
+                threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+                call()
+        steps = litter.steps_done
+        self.assertGreater(steps, 0)
+        litter.step()
+        self.assertEqual(litter.steps_done, steps + 1)

@@ -39,13 +39,21 @@ void run_recorded(Simulation& simulation, const std::string& fields, int steps) 
   recording.commit("");
 }
 
-/// Microseconds a step of `start`, the whole recording included.
-double recorded_time(const Simulation& start, const std::string& fields, std::uint64_t& hash) {
-  Simulation simulation = start;
-  const double time = microseconds([&] { run_recorded(simulation, fields, kSteps); });
-  hash = simulation.hash();
-  return time / kSteps;
-}
+/// A litter with a choice of fields: one measurement a round, in microseconds a step.
+struct Recorded {
+  std::vector<double> busy;  // the processor's time for the thread that steps
+  std::uint64_t hash = 0;    // at the end
+
+  /// The whole run, the recording included.
+  double measure(const Simulation& start, const std::string& fields) {
+    Simulation simulation = start;
+    const double time = microseconds([&] {
+      busy.push_back(busy_microseconds([&] { run_recorded(simulation, fields, kSteps); }) / kSteps);
+    });
+    hash = simulation.hash();
+    return time / kSteps;
+  }
+};
 
 struct Row {
   const char* name;
@@ -56,22 +64,25 @@ constexpr std::array<Row, 4> kRows{{{"nothing", ""},
                                     {"afferent", "afferent"},
                                     {"pup, afferent, point", "pup,afferent,point"}}};
 
-/// Prints a row for each choice of fields, and returns the ratios to the run that records nothing.
+/// Prints a row for each choice of fields, and returns the ratios of their times to that of the run
+/// that records nothing.
 std::array<double, kRows.size()> measure_litter(const char* name, const Params& params,
                                                 int rounds) {
   const Simulation& start = settled(params);
-  std::array<std::uint64_t, kRows.size()> hashes{};
+  std::array<Recorded, kRows.size()> runs{};
   std::vector<Contender> contenders;
   for (std::size_t i = 0; i < kRows.size(); ++i) {
     contenders.push_back(
-        {kRows[i].name, [&, i] { return recorded_time(start, kRows[i].fields, hashes[i]); }});
+        {kRows[i].name, [&, i] { return runs[i].measure(start, kRows[i].fields); }});
   }
   const auto times = in_turns(contenders, rounds);
   std::array<double, kRows.size()> ratios{};
   for (std::size_t i = 0; i < kRows.size(); ++i) {
-    if (hashes[i] != hashes[0]) throw std::runtime_error("recording changed the run");
+    if (runs[i].hash != runs[0].hash) throw std::runtime_error("recording changed the run");
     ratios[i] = least(times[i]) / least(times[0]);
-    std::printf("| %s, %s | %.1f | %.2f |\n", name, kRows[i].name, least(times[i]), ratios[i]);
+    const double busy = median(runs[i].busy);
+    std::printf("| %s, %s | %.1f | %.2f | %.1f | %.2f |\n", name, kRows[i].name, least(times[i]),
+                ratios[i], busy, ratio(runs[i].busy, runs[0].busy));
   }
   return ratios;
 }
@@ -87,7 +98,10 @@ void record_all(int steps) {
 void recording(int rounds, Verdicts& verdicts) {
   constexpr int kFew = 200, kMany = 2000;
   const double few = peak_memory(record_all, kFew), many = peak_memory(record_all, kMany);
-  std::printf("| recorded every step | µs a step | times as long as unrecorded |\n|---|---|---|\n");
+  std::printf(
+      "| recorded every step | µs a step | times as long as unrecorded | µs of the thread that "
+      "steps "
+      "| times |\n|---|---|---|---|---|\n");
   const auto cold = measure_litter("huddling", huddling(Precision::double_), rounds);
   measure_litter("dispersed", dispersed(Precision::double_), rounds);
   std::printf("\nA run that records all fields of %d steps takes %.0f MB, of %d steps %.0f MB.\n",

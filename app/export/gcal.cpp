@@ -57,7 +57,8 @@ void write_gcal(const io::RecordedRun& recording, const Request& request, io::Pr
   if (patterns > INT32_MAX) io::refuse(recording.path() + ": holds too many patterns for dims");
   io::Hdf5Writer file(request.out, request.force);
   file.about(recording.about());
-  file.text("patterns of", stream.field().name);
+  file.text("kind", "patterns");
+  file.text("name", stream.field().name);
   const std::int32_t dims[] = {static_cast<std::int32_t>(width), static_cast<std::int32_t>(width),
                                static_cast<std::int32_t>(patterns)};
   file.whole("dims", {3}, io::NumberType::i4, dims);

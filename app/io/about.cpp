@@ -37,8 +37,10 @@ About about_hdf5(const std::string& path) {
   const Hdf5Reader file(path);
   About about = about_entries(file.text(), path);
   about.sets = file.sets();
+  const bool told_step = std::any_of(about.facts.begin(), about.facts.end(),
+                                     [](const auto& fact) { return fact.first == "step"; });
   for (const SetInfo& set : about.sets) {
-    if (set.name == "clock" && set.shape == std::vector<std::uint64_t>{3}) {
+    if (set.name == "clock" && set.shape == std::vector<std::uint64_t>{3} && !told_step) {
       about.facts.emplace_back("step", number_text(file.numbers("clock")[0]));
     }
     if (set.name != "step" || set.shape.size() != 1) continue;
@@ -88,16 +90,21 @@ const Field* field_of(std::string_view column, bool of_pups) {
   return nullptr;
 }
 
+/// A comment behind the rows: "# name = value" or "# name: text".
+void take_remark(const std::string& line, TextEntries& facts) {
+  const std::size_t equals = line.find(" = "), colon = line.find(": ");
+  const std::size_t at = std::min(equals, colon);
+  if (at == std::string::npos) return;
+  facts.emplace_back(line.substr(2, at - 2), line.substr(at + (at == equals ? 3 : 2)));
+}
+
 About about_csv(const std::string& path) {
   About about = about_entries(read_csv_header(path), path);
   std::ifstream file(path);
   std::string line, columns;
   std::uint64_t rows = 0;
   while (std::getline(file, line)) {
-    if (line.starts_with("# ended early: ") || line.starts_with("# warning: ")) {
-      const std::size_t colon = line.find(": ");
-      about.facts.emplace_back(line.substr(2, colon - 2), line.substr(colon + 2));
-    }
+    if (line.starts_with("# ") && !columns.empty()) take_remark(line, about.facts);
     if (line.starts_with('#') || line.empty()) continue;
     columns.empty() ? static_cast<void>(columns = line) : static_cast<void>(++rows);
   }

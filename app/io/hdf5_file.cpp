@@ -114,6 +114,7 @@ hid_t Hdf5Writer::checked(hid_t result) const {
 }
 
 void Hdf5Writer::text(hid_t object, const std::string& name, const std::string& value) const {
+  if (H5Aexists(object, name.c_str()) > 0) checked(H5Adelete(object, name.c_str()));
   const Handle type(text_type(), H5Tclose);
   const Handle space(checked(H5Screate(H5S_SCALAR)), H5Sclose);
   const Handle attribute(

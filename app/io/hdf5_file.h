@@ -52,7 +52,7 @@ class Hdf5Writer {
 
   hid_t id() const { return file_; }
 
-  /// Adds a text attribute to the file, or to `object` in it.
+  /// Adds a text attribute to the file, or to `object` in it, in place of one of that name.
   void text(const std::string& name, const std::string& value) const { text(file_, name, value); }
   void text(hid_t object, const std::string& name, const std::string& value) const;
 

@@ -44,7 +44,7 @@ class Recording {
   /// Adds the state as it is now.
   void add(const LitterView& litter);
 
-  /// Adds an attribute to the file.
+  /// After the last frame: adds an attribute to the file, in place of one of that name.
   void note(const std::string& name, const std::string& value);
 
   /// Puts the file in its place, with `ending` (if not empty) as an attribute saying why it ends

@@ -67,6 +67,16 @@ TEST_F(CliExport, ARunThatGoesOnRecordsItsStartWhereThatIsAskedFor) {
   EXPECT_THAT(steps_of("e.h5"), ElementsAre(20, 30, 40));
 }
 
+TEST_F(CliExport, ARecordingCarriesTheScheduleAndTheStateAtItsEnd) {
+  ASSERT_EQ(record("a.h5", {"--at", "step=5,ta=0.7", "--csv", "a.csv"}).code, 0);
+  const std::string info = pupflow({"info", "a.h5"}).out;
+  EXPECT_THAT(info, testing::ContainsRegex("at +step=5,ta=0.7\n"));
+  EXPECT_THAT(info, testing::ContainsRegex("step +20\n"));
+  EXPECT_THAT(info, testing::ContainsRegex("hash +[0-9a-f]{16}\n"));
+  ASSERT_EQ(pupflow({"run", "--like", "a.h5", "--csv", "b.csv", "--quiet"}).code, 0);
+  EXPECT_EQ(test::contents(scratch_.path("a.csv")), test::contents(scratch_.path("b.csv")));
+}
+
 TEST_F(CliExport, WrongNamesOfFieldsAreRefusedBeforeTheRun) {
   const test::Outcome outcome = record("a.h5", {"--record-fields", "pup,temprature"});
   EXPECT_EQ(outcome.code, 2);
@@ -122,6 +132,17 @@ TEST_F(CliExport, CentresStandForPointsThatWereNotRecorded) {
   ASSERT_EQ(record("pup.h5", {"--record-from", "20"}).code, 0);
   ASSERT_EQ(pupflow({"export", "pup.h5", "--format", "vtk", "--out", "p.vtp", "--quiet"}).code, 0);
   EXPECT_THAT(test::contents(scratch_.path("p.vtp")), HasSubstr("NumberOfPoints=\"3\""));
+}
+
+TEST_F(CliExport, PatternsCarryWhatMadeThem) {
+  ASSERT_EQ(record("all.h5", {"--record-fields", "afferent", "--set", "ta=0.7"}).code, 0);
+  ASSERT_EQ(pupflow({"export", "all.h5", "--format", "gcal", "--out", "p.h5", "--quiet"}).code, 0);
+  const test::Outcome info = pupflow({"info", "p.h5"});
+  EXPECT_EQ(info.code, 0) << info.err;
+  EXPECT_THAT(info.out, HasSubstr("p.h5: patterns"));
+  EXPECT_THAT(info.out, HasSubstr("ta = 0.7"));
+  EXPECT_THAT(refused(2, {"p.h5", "--format", "npy", "--out", "o.npy"}),
+              HasSubstr("is no recording"));
 }
 
 TEST_F(CliExport, HelpNamesEachFormatAndWhoReadsIt) {

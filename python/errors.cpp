@@ -27,6 +27,7 @@ PyObject* type_of(io::ExitCode code) {
     case io::ExitCode::interrupted:
       return PyExc_KeyboardInterrupt;
     case io::ExitCode::done:
+    case io::ExitCode::difference:
     case io::ExitCode::bad_input:
       break;
   }

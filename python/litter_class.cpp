@@ -140,7 +140,7 @@ void save(Litter& litter, const py::object& path, bool force) {
                     (file + ": exists already; use force=True to replace it").c_str());
     throw py::error_already_set();
   }
-  io::write_checkpoint(file, force, litter.acted().snapshot());
+  io::write_checkpoint(file, force, litter.acted());
 }
 
 std::shared_ptr<Litter> load(const py::object& path) {

@@ -424,6 +424,34 @@ class PupFields(_Group):
         Other pups that the pup touches.
         """
     @property
+    def qw(self) -> _Numbers:
+        """(pups,) orientation, w qw, signed, drawn from -1 to 1.
+
+        Part of the unit quaternion that turns the pup at rest to where it is; qw is not negative.
+        R nearest to the sum over points of (x − x_cm) qᵀ
+        """
+    @property
+    def qx(self) -> _Numbers:
+        """(pups,) orientation, x qx, signed, drawn from -1 to 1.
+
+        Part of the unit quaternion that turns the pup at rest to where it is; qw is not negative.
+        R nearest to the sum over points of (x − x_cm) qᵀ
+        """
+    @property
+    def qy(self) -> _Numbers:
+        """(pups,) orientation, y qy, signed, drawn from -1 to 1.
+
+        Part of the unit quaternion that turns the pup at rest to where it is; qw is not negative.
+        R nearest to the sum over points of (x − x_cm) qᵀ
+        """
+    @property
+    def qz(self) -> _Numbers:
+        """(pups,) orientation, z qz, signed, drawn from -1 to 1.
+
+        Part of the unit quaternion that turns the pup at rest to where it is; qw is not negative.
+        R nearest to the sum over points of (x − x_cm) qᵀ
+        """
+    @property
     def speed(self) -> _Numbers:
         """(pups,) speed |v| [length/s], continuous, drawn from 0 to data.
 
@@ -457,6 +485,27 @@ class PupFields(_Group):
 
         How fast the pup turns to the left; with heading = body the angle, in rad, from body axis to direction of travel.
         atan(v (S_L − S_R) / (S_L + S_R)), S = 1 / (1 + exp(−σ T (T_p − T_b')))
+        """
+    @property
+    def x(self) -> _Numbers:
+        """(pups,) centre x [length], continuous, drawn from data to data.
+
+        Coordinate of the pup's centre; z is its height above the floor.
+        mean over points of the coordinate
+        """
+    @property
+    def y(self) -> _Numbers:
+        """(pups,) centre y [length], continuous, drawn from data to data.
+
+        Coordinate of the pup's centre; z is its height above the floor.
+        mean over points of the coordinate
+        """
+    @property
+    def z(self) -> _Numbers:
+        """(pups,) centre z [length], continuous, drawn from data to data.
+
+        Coordinate of the pup's centre; z is its height above the floor.
+        mean over points of the coordinate
         """
 
 class AfferentFields(_Group):
@@ -817,6 +866,34 @@ class Litter:
         """
     @pups.setter
     def pups(self, value: int) -> None: ...
+    @property
+    def qw(self) -> _Numbers:
+        """(pups,) orientation, w qw, signed, drawn from -1 to 1.
+
+        Part of the unit quaternion that turns the pup at rest to where it is; qw is not negative.
+        R nearest to the sum over points of (x − x_cm) qᵀ
+        """
+    @property
+    def qx(self) -> _Numbers:
+        """(pups,) orientation, x qx, signed, drawn from -1 to 1.
+
+        Part of the unit quaternion that turns the pup at rest to where it is; qw is not negative.
+        R nearest to the sum over points of (x − x_cm) qᵀ
+        """
+    @property
+    def qy(self) -> _Numbers:
+        """(pups,) orientation, y qy, signed, drawn from -1 to 1.
+
+        Part of the unit quaternion that turns the pup at rest to where it is; qw is not negative.
+        R nearest to the sum over points of (x − x_cm) qᵀ
+        """
+    @property
+    def qz(self) -> _Numbers:
+        """(pups,) orientation, z qz, signed, drawn from -1 to 1.
+
+        Part of the unit quaternion that turns the pup at rest to where it is; qw is not negative.
+        R nearest to the sum over points of (x − x_cm) qᵀ
+        """
     def record(self, field: str) -> None:
         """Has the steps to come record what the field of that name shows. Only strain needs it, which costs
         time.
@@ -981,6 +1058,27 @@ class Litter:
     @property
     def warnings(self) -> list[str]:
         """The impossible states so far, the first of each kind, as messages."""
+    @property
+    def x(self) -> _Numbers:
+        """(pups,) centre x [length], continuous, drawn from data to data.
+
+        Coordinate of the pup's centre; z is its height above the floor.
+        mean over points of the coordinate
+        """
+    @property
+    def y(self) -> _Numbers:
+        """(pups,) centre y [length], continuous, drawn from data to data.
+
+        Coordinate of the pup's centre; z is its height above the floor.
+        mean over points of the coordinate
+        """
+    @property
+    def z(self) -> _Numbers:
+        """(pups,) centre z [length], continuous, drawn from data to data.
+
+        Coordinate of the pup's centre; z is its height above the floor.
+        mean over points of the coordinate
+        """
 
 def run(scene: str | PathLike[str] | None = None, *, ta: float = ..., alpha: float = ..., beta: float = ..., gravity: float = ..., contact: Literal["nearest", "mean", "sum"] = ..., tp: float = ..., k1: float = ..., k2: float = ..., g: float = ..., heat: Literal["exact", "euler"] = ..., tb0: float = ..., drive: float = ..., sigma: float = ..., v: float = ..., heading: Literal["course", "body"] = ..., pups: int = ..., face_points: int = ..., pup_radius: float = ..., point_radius: float = ..., arena_radius: float = ..., start: Literal["column", "carpet"] = ..., start_spread: float = ..., dt: float = ..., refinement: Literal["naive", "consistent"] = ..., integrator: Literal["predictive", "explicit"] = ..., steps: int = ..., discard: int = ..., flow_lag: int = ..., seed: int = ..., precision: Literal["float", "double"] = ...) -> Means:
     """Steps a whole litter (parameter steps) and returns the means over the steps after discard, as

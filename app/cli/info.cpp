@@ -12,6 +12,7 @@
 #include "app/io/scene_file.h"
 #include "app/io/table.h"
 #include "app/io/text.h"
+#include "app/study/files.h"
 #include "app/study/folder.h"
 
 namespace pupflow::cli {

@@ -89,6 +89,29 @@ TEST(Recording, HoldsWhatTheLitterWas) {
   }
 }
 
+TEST(Recording, OfALargeLitterHasFewerFramesOfMorePupsInAChunk) {
+  const test::Scratch scratch;
+  Params p = small();
+  p.pups = 1001;  // the last chunk is filled in part
+  p.start = Start::carpet;
+  p.arena_radius = 20;
+  const Recorded was(scratch.path("r.h5"), p, "tb,point", 60);
+  const RecordedRun run(scratch.path("r.h5"));
+  std::vector<double> read(was.positions.size());
+  run.read(*run.find("position"), 0, run.frames(), {}, NumberType::f8, read.data());
+  EXPECT_EQ(read, was.positions);
+  const Handle file(H5Fopen(scratch.path("r.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const auto chunk_of = [&](const char* name) {
+    const Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+    const Handle properties(H5Dget_create_plist(set), H5Pclose);
+    std::vector<hsize_t> chunk(4);
+    chunk.resize(static_cast<std::size_t>(H5Pget_chunk(properties, 4, chunk.data())));
+    return chunk;
+  };
+  EXPECT_THAT(chunk_of("pup/tb"), ElementsAre(64, 1));
+  EXPECT_THAT(chunk_of("point/position"), ElementsAre(58, 2, 24, 3));
+}
+
 TEST(Recording, OnePupsStreamIsReadAlone) {
   const test::Scratch scratch;
   const Recorded was(scratch.path("r.h5"), small(), "afferent", 70);

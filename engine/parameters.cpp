@@ -5,6 +5,7 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace pupflow {
 namespace {
@@ -121,7 +122,132 @@ void check_refinement(const Params& params, std::vector<Problem>& problems) {
   }
 }
 
+/// The course of one parameter from the change that began last: a + (b - a) s.
+struct Course {
+  std::int64_t begin = 0, end = 0;
+  double a = 0, b = 0;
+
+  double at(std::int64_t steps) const {
+    if (steps >= end) return b;
+    const double share = static_cast<double>(steps - begin) / static_cast<double>(end - begin);
+    // Weights, since b - a may overflow; rounding must not leave the range of both.
+    return std::clamp((1 - share) * a + share * b, std::min(a, b), std::max(a, b));
+  }
+};
+
+/// The courses of all parameters that the schedule of `start` sets.
+class Courses {
+ public:
+  explicit Courses(const Params& start) : start_(start), courses_(parameters().size()) {}
+
+  /// Takes the changes that begin at `steps` or before. May be called again with more steps.
+  void begin_those_up_to(std::int64_t steps) {
+    const std::span<const Change> changes = start_.schedule.changes();
+    for (; next_ < changes.size() && changes[next_].step <= steps; ++next_) {
+      const Change& change = changes[next_];
+      for (const Change::Setting& setting : change.settings) begin(change, setting);
+    }
+  }
+
+  void write(std::int64_t steps, Params& params) const {
+    for (std::size_t i = 0; i < courses_.size(); ++i) {
+      if (courses_[i]) parameters()[i].set(params, courses_[i]->at(steps));
+    }
+  }
+
+ private:
+  void begin(const Change& change, const Change::Setting& setting) {
+    std::optional<Course>& course = courses_[setting.parameter];
+    const double before =
+        course ? course->at(change.step) : parameters()[setting.parameter].get(start_);
+    course = {change.step, change.until.value_or(change.step), before, setting.value};
+  }
+
+  const Params& start_;
+  std::size_t next_ = 0;  // change to begin
+  std::vector<std::optional<Course>> courses_;
+};
+
+std::string at_step(std::int64_t step) {
+  return "at step " + std::to_string(step) + ": ";
+}
+
+/// What is wrong with a single change.
+void check_change(const Params& params, const Change& change, std::vector<Problem>& problems) {
+  const auto wrong = [&](std::string_view what, const std::string& message) {
+    problems.push_back({std::string(what), at_step(change.step) + message});
+  };
+  const auto in_range = [](std::int64_t step) {
+    return step >= 0 && static_cast<double>(step) <= kExactInteger;
+  };
+  if (!in_range(change.step)) wrong("step", "step must be a whole number 0 … 2^53 - 1");
+  if (change.until && (*change.until <= change.step || !in_range(*change.until))) {
+    wrong("until", "until = " + std::to_string(*change.until) + " must be after it");
+  }
+  if (change.settings.empty() == !change.pup) {
+    wrong("step", change.pup ? "parameters and a pup are two changes; write them apart"
+                             : "nothing changes; name a parameter, or a pup with force, heat or "
+                               "turn");
+  }
+  for (const Change::Setting& setting : change.settings) {
+    const Parameter& parameter = parameters()[setting.parameter];
+    Problem problem;
+    if (parameter.effect != Parameter::Effect::next_step) {
+      wrong(parameter.name, std::string(parameter.name) + " can only be set for the whole run");
+    } else if (change.until && parameter.kind != Parameter::Kind::real) {
+      wrong(parameter.name,
+            std::string(parameter.name) + " changes at once and has no values between: no until");
+    } else if (!check_value(parameter, setting.value, problem)) {
+      wrong(parameter.name, problem.message);
+    }
+  }
+  if (!change.pup) return;
+  if (*change.pup < 0 || *change.pup >= params.pups) {
+    wrong("pup", "there is no pup " + std::to_string(*change.pup) + " among " +
+                     std::to_string(params.pups));
+  }
+  if (!change.action.acts()) wrong("pup", "nothing is done to the pup; name force, heat or turn");
+  const Action& action = change.action;
+  if (!std::all_of(action.force.begin(), action.force.end(),
+                   [](double f) { return std::isfinite(f); }))
+    wrong("force", "force must be three finite numbers");
+  if (!std::isfinite(action.heat)) wrong("heat", "heat must be a finite number");
+  if (!std::isfinite(action.turn.value_or(0))) wrong("turn", "turn must be a finite number");
+}
+
+/// Everything wrong with `params.schedule`: a parameter that defines the litter, values out of
+/// range, a pup that is not there, and what is not allowed together at the beginning or end of a
+/// change. `params` is sound without it.
+std::vector<Problem> check_schedule(const Params& params) {
+  std::vector<Problem> problems;
+  std::vector<std::int64_t> ends;  // between them all values lie between those there
+  for (const Change& change : params.schedule.changes()) {
+    check_change(params, change, problems);
+    ends.insert(ends.end(), {change.step, change.until.value_or(change.step)});
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  Params at = params;
+  at.schedule = {};
+  Courses courses(params);
+  for (auto step = ends.begin(); problems.empty() && step != ends.end(); ++step) {
+    courses.begin_those_up_to(*step);
+    courses.write(*step, at);
+    for (const Problem& problem : check(at)) {
+      problems.push_back({problem.parameter, at_step(*step) + problem.message});
+    }
+  }
+  return problems;
+}
+
 }  // namespace
+
+void apply_schedule(const Params& start, std::int64_t steps, Params& params) {
+  if (start.schedule.empty()) return;
+  Courses courses(start);
+  courses.begin_those_up_to(steps);
+  courses.write(steps, params);
+}
 
 std::vector<Problem> check(const Params& params) {
   std::vector<Problem> problems;

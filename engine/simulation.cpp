@@ -63,7 +63,7 @@ class Simulation::Model {
   /// reached.
   void take_changes() {
     Params next = params;
-    recipe.schedule.apply(recipe, step(), next);
+    apply_schedule(recipe, step(), next);
     if (next != params) take(next);
     actions() = recipe.schedule.actions(step(), params.pups);
     if (!imposed.empty()) {
@@ -231,6 +231,19 @@ void require_sound(const Params& params) {
   if (!problems.empty()) throw InvalidParams(std::move(problems));
 }
 
+/// Makes what differs between the parameters in force and `next` part of the recipe: a change at
+/// `step`, or, before the first step and all changes, a value of the start.
+void add_to_recipe(const Params& in_force, const Params& next, std::int64_t step, Params& recipe) {
+  const std::span<const Parameter> table = parameters();
+  const bool at_start = step == 0 && recipe.schedule.next_change(-1) > 0;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double value = table[i].get(next);
+    if (value == table[i].get(in_force)) continue;
+    const bool of_run = table[i].effect == Parameter::Effect::run;
+    of_run || at_start ? table[i].set(recipe, value) : recipe.schedule.set(step, i, value);
+  }
+}
+
 void require_size(std::size_t size, std::size_t expected, const char* what) {
   if (size == expected) return;
   throw std::invalid_argument(std::string(what) + " holds " + std::to_string(size) +
@@ -317,20 +330,17 @@ void Simulation::set_params(const Params& params) {
   if (needs_restart(model_->params, next)) {
     throw std::logic_error("these parameters define the litter and need a new simulation");
   }
-  Params recipe = model_->recipe;
-  const std::span<const Parameter> table = parameters();
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const double value = table[i].get(next);
-    if (table[i].effect == Parameter::Effect::run) table[i].set(recipe, value);
-    if (table[i].effect != Parameter::Effect::next_step) continue;
-    if (value == table[i].get(model_->params)) continue;
-    const bool at_start = steps_done() == 0 && recipe.schedule.next_change(-1) > 0;
-    at_start ? table[i].set(recipe, value) : recipe.schedule.set(steps_done(), i, value);
+  if (model_->next_change == Schedule::kNever) {
+    // Nothing is to come that might not go with them.
+    add_to_recipe(model_->params, next, steps_done(), model_->recipe);
+  } else {
+    Params recipe = model_->recipe;
+    add_to_recipe(model_->params, next, steps_done(), recipe);
+    require_sound(recipe);
+    model_->recipe = std::move(recipe);
+    model_->next_change = steps_done();
   }
-  require_sound(recipe);
-  model_->recipe = std::move(recipe);
   model_->take(next);
-  model_->next_change = steps_done();
   model_->replan();
 }
 

@@ -4,7 +4,7 @@ namespace pupflow {
 
 Params params_of_step(const Params& recipe, std::int64_t step) {
   Params params = recipe;
-  if (step > 0) recipe.schedule.apply(recipe, step - 1, params);
+  if (step > 0) apply_schedule(recipe, step - 1, params);
   return params;
 }
 

@@ -30,7 +30,7 @@ void take(const io::Settings& settings, Simulation& simulation) {
   const Params typed = io::set_up(settings, before).params;
   Params next = typed;
   // The parameters of another output are those of its start.
-  if (!settings.like.empty()) typed.schedule.apply(typed, simulation.steps_done(), next);
+  if (!settings.like.empty()) apply_schedule(typed, simulation.steps_done(), next);
   simulation.set_schedule(typed.schedule);
   simulation.set_params(next);
 }

@@ -44,7 +44,7 @@ Params without_schedule(Params params) {
 /// T_a with which the step after `steps` is taken.
 double ta_after(const Params& params, std::int64_t steps) {
   Params at = params;
-  params.schedule.apply(params, steps, at);
+  apply_schedule(params, steps, at);
   return at.ambient_temperature;
 }
 

@@ -151,6 +151,10 @@ std::vector<Problem> check(const Params& params);
 /// other needs a new litter.
 bool needs_restart(const Params& a, const Params& b);
 
+/// What the schedule of `start` makes of it after `steps` steps, for the next one: writes the
+/// parameters that it has changed by then to `params` and leaves the others alone.
+void apply_schedule(const Params& start, std::int64_t steps, Params& params);
+
 /// Points per pup, n = 6 k^2.
 inline int points_per_pup(const Params& params) {
   return 6 * params.face_points * params.face_points;

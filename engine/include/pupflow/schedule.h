@@ -7,13 +7,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace pupflow {
-
-struct Params;
-struct Problem;
 
 /// What is done to a pup beside what it does by itself.
 struct Action {
@@ -64,10 +60,6 @@ class Schedule {
   /// Adds a change at once of one parameter. A value set before at the same step is replaced.
   void set(std::int64_t step, std::size_t parameter, double value);
 
-  /// The parameters after `steps` steps, for the next one: writes those that have changed since
-  /// `start` to `params` and leaves the others alone.
-  void apply(const Params& start, std::int64_t steps, Params& params) const;
-
   /// What is done to each of `pups` pups in the step after `steps`; empty where nothing is. The
   /// schedule must be sound for these pups.
   std::vector<Action> actions(std::int64_t steps, int pups) const;
@@ -81,10 +73,5 @@ class Schedule {
  private:
   std::vector<Change> changes_;
 };
-
-/// Everything wrong with `params.schedule`: a parameter that defines the litter, values out of
-/// range, a pup that is not there, and what is not allowed together at the beginning or end of a
-/// change. `params` must be sound without it.
-std::vector<Problem> check_schedule(const Params& params);
 
 }  // namespace pupflow

@@ -44,7 +44,8 @@ Verb add_verify(CLI::App& program) {
       "verify", "Repeat the run behind any output and say whether it is the same");
   const auto options = std::make_shared<Options>();
   app->add_option("FILE", options->files,
-                  "CSV files of a run, its pups or a sweep's runs, folders of sweeps, checkpoints, "
+                  "CSV files of a run, its pups or a sweep's runs, folders of sweeps, recordings, "
+                  "checkpoints, "
                   "pictures")
       ->option_text(" ")
       ->required()

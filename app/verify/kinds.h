@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/io/png.h"
-#include "app/verify/verify.h"
+#include "app/verify/verdict.h"
 #include "pupflow/simulation.h"
 
 namespace pupflow::verify {
@@ -14,7 +14,8 @@ Verdict verify_metrics(const std::string& path, const Options& options);
 Verdict verify_pups(const std::string& path, const Options& options);
 Verdict verify_runs(const std::string& path, const Options& options);
 Verdict verify_picture(const std::string& path, const Options& options);
-Verdict verify_hdf5(const std::string& path, const Options& options);
+Verdict verify_checkpoint(const std::string& path, const Options& options);
+Verdict verify_recording(const std::string& path, const Options& options);
 
 /// The entry called `name`, or nullptr.
 const std::string* find_entry(const io::TextEntries& entries, const std::string& name);

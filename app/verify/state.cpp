@@ -92,7 +92,7 @@ Verdict verify_picture(const std::string& path, const Options& options) {
   return compare_hash(repeated(entries, step_of(entries, path), path, options), hash, "");
 }
 
-Verdict verify_hdf5(const std::string& path, const Options& options) {
+Verdict verify_checkpoint(const std::string& path, const Options& options) {
   const io::TextEntries entries = io::read_hdf5_text(path);
   const Snapshot file = io::read_checkpoint(path);
   const Simulation litter = repeated(entries, file.step, path, options);

@@ -36,7 +36,12 @@ Verdict verify(const std::string& path, const Options& options) {
   const bool picture = beginning == "\x89PNG\r\n\x1a\n", hdf5 = beginning == "\x89HDF\r\n\x1a\n";
   if (options.row && (picture || hdf5)) io::refuse(path + ": --row takes a sweep's runs.csv");
   if (picture) return verify_picture(file, options);
-  if (hdf5) return verify_hdf5(file, options);
+  if (hdf5) {
+    const io::TextEntries entries = io::entries_of_file(file);
+    const std::string* kind = find_entry(entries, "kind");
+    const bool recording = kind && *kind == "recording";
+    return recording ? verify_recording(file, options) : verify_checkpoint(file, options);
+  }
   return verify_csv(file, options);
 }
 

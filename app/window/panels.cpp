@@ -41,7 +41,7 @@ void draw_combo(const char* label, const char* name, std::string_view present, T
                 const Choices& choices) {
   ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11);
   const bool open =
-      ImGui::BeginCombo(label, std::string(present).c_str(), ImGuiComboFlags_HeightLarge);
+      ImGui::BeginCombo(label, std::string(present).c_str(), ImGuiComboFlags_HeightLargest);
   events.widget(name);
   if (!open) return;
   choices([&](std::string_view item, std::string_view text, bool chosen) {

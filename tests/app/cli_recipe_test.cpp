@@ -1,5 +1,6 @@
 // A run is its recipe: changes on the way, outputs that repeat it, and 'pupflow verify'.
 #include <gmock/gmock.h>
+#include <hdf5.h>
 
 #include <algorithm>
 #include <sstream>
@@ -64,20 +65,23 @@ std::string rows(const std::string& text) {
 }
 
 TEST_F(CliRecipe, OutputsRepeatTheRun) {
-  run({"--steps", "60", "--csv", "m.csv", "--pups", "p.csv", "--checkpoint", "c.h5"});
+  run({"--steps", "60", "--csv", "m.csv", "--pups", "p.csv", "--checkpoint", "c.h5", "--record",
+       "r.h5", "--record-every", "7", "--record-from", "0", "--record-fields",
+       "pup,afferent,point"});
   const std::string changes =
       "# at = step=20,ta=0.2; step=30,until=50,ta=0.8; step=35,until=45,pup=1,force=[2,0,0]\n";
   EXPECT_THAT(contents("m.csv"), AllOf(HasSubstr(changes), HasSubstr("\n# step = 60\n# hash = ")));
-  for (const char* file : {"m.csv", "p.csv", "c.h5"}) {
+  for (const char* file : {"m.csv", "p.csv", "c.h5", "r.h5"}) {
     const std::string again = std::string("of-") + file + ".csv";
     ASSERT_EQ(pupflow({"run", "--like", file, "--csv", again, "--quiet"}).code, 0);
     EXPECT_EQ(contents(again), contents("m.csv")) << file;
   }
-  const test::Outcome verdict = pupflow({"verify", "m.csv", "p.csv", "c.h5"});
+  const test::Outcome verdict = pupflow({"verify", "m.csv", "p.csv", "c.h5", "r.h5"});
   EXPECT_EQ(verdict.code, 0) << verdict.err;
   EXPECT_THAT(verdict.out, AllOf(HasSubstr("m.csv: same (60 steps, 60 rows)\n"),
                                  HasSubstr("p.csv: same (60 steps, 180 rows)\n"),
-                                 HasSubstr("c.h5: same (step 60, hash ")));
+                                 HasSubstr("c.h5: same (step 60, hash "),
+                                 HasSubstr("r.h5: same (56 steps, 9 frames of ")));
 }
 
 TEST_F(CliRecipe, ARunThatGoesOnCarriesWhatWasBefore) {
@@ -112,6 +116,30 @@ TEST_F(CliRecipe, VerifyNamesTheFirstDifference) {
   EXPECT_EQ(pupflow({"verify", "seed.csv", "--quiet"}).code, 1);
   spoilt("m.csv", "change.csv", "step=20,ta=0.2", "step=21,ta=0.2");
   EXPECT_THAT(pupflow({"verify", "change.csv"}).out, HasSubstr("differs (step 25: mean_tb is"));
+}
+
+/// Sets one number of a two-dimensional data set.
+void set_number(const std::string& path, const char* name, hsize_t row, hsize_t column,
+                double value) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
+  const hsize_t place[2] = {row, column}, one[2] = {1, 1};
+  H5Sselect_hyperslab(space, H5S_SELECT_SET, place, nullptr, one, nullptr);
+  const hid_t single = H5Screate_simple(2, one, nullptr);
+  EXPECT_GE(H5Dwrite(set, H5T_NATIVE_DOUBLE, single, space, H5P_DEFAULT, &value), 0);
+  H5Sclose(single);
+  H5Sclose(space);
+  H5Dclose(set);
+  EXPECT_GE(H5Fclose(file), 0);
+}
+
+TEST_F(CliRecipe, VerifyNamesTheFirstDifferenceOfARecording) {
+  run({"--steps", "60", "--record", "r.h5", "--record-every", "4"});
+  set_number(scratch_.path("r.h5"), "pup/exposed", 9, 2, 0.125);
+  const test::Outcome verdict = pupflow({"verify", "r.h5"});
+  EXPECT_EQ(verdict.code, 1);
+  EXPECT_THAT(verdict.out,
+              HasSubstr("r.h5: differs (step 40, pup 2: exposed is 0.125 in the file"));
 }
 
 TEST_F(CliRecipe, SweepsAreVerifiedRunByRun) {

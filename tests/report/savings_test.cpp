@@ -43,19 +43,19 @@ void PrintTo(const Case& c, std::ostream* out) {
 const std::vector<Case> kCases{
     {"paper",
      [] { return shipped("paper"); },
-     {"touching pairs", "felt sides", "strain", "observables"}},
+     {"touching pairs", "felt sides", "strain", "pose", "observables"}},
     {"single",
      [] { return shipped("single"); },
-     {"contact", "steering", "mean T_c", "strain", "observables"}},
+     {"contact", "steering", "mean T_c", "strain", "pose", "observables"}},
     {"rigid",
      [] { return shipped("rigid"); },
-     {"touching pairs", "felt sides", "quadratic terms", "strain", "observables"}},
+     {"touching pairs", "felt sides", "quadratic terms", "strain", "pose", "observables"}},
     {"no_heat",
      [] { return shipped("no_heat"); },
-     {"touching pairs", "felt sides", "heat", "strain", "observables"}},
+     {"touching pairs", "felt sides", "heat", "strain", "pose", "observables"}},
     {"no_steering",
      [] { return shipped("no_steering"); },
-     {"touching pairs", "steering", "strain", "observables"}},
+     {"touching pairs", "steering", "strain", "pose", "observables"}},
     {"quiet",
      [] {
        Params p;
@@ -65,7 +65,7 @@ const std::vector<Case> kCases{
        p.precision = Precision::float_;
        return p;
      },
-     {"exposed share", "touched pups", "touching pairs", "steering", "heat", "strain",
+     {"exposed share", "touched pups", "touching pairs", "steering", "heat", "strain", "pose",
       "observables"}},
     {"no_gain_by_the_body",
      [] {
@@ -74,14 +74,14 @@ const std::vector<Case> kCases{
        p.steering_gain = 0;
        return p;
      },
-     {"touching pairs", "turn", "felt sides", "strain", "observables"}},
+     {"touching pairs", "turn", "felt sides", "strain", "pose", "observables"}},
     {"no_heat_between_pups",
      [] {
        Params p;
        p.contact_conductance = 0;
        return p;
      },
-     {"touching pairs", "felt sides", "mean T_c", "strain", "observables"}},
+     {"touching pairs", "felt sides", "mean T_c", "strain", "pose", "observables"}},
     {"free",
      [] {
        Params p;
@@ -89,7 +89,7 @@ const std::vector<Case> kCases{
        p.face_points = 3;
        return p;
      },
-     {"touching pairs", "felt sides", "rotation", "strain", "observables"}},
+     {"touching pairs", "felt sides", "rotation", "strain", "pose", "observables"}},
     {"no_goals",
      [] {
        Params p;

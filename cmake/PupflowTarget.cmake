@@ -11,4 +11,6 @@ function(pupflow_target target)
   # -Wrestrict: GCC 12 warns wrongly about std::string (its bug 105651).
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
     -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast $<$<BOOL:${PUPFLOW_WERROR}>:-Werror>)
+  # Linkage tables are filled at the start and read-only from then on.
+  target_link_options(${target} PRIVATE $<$<PLATFORM_ID:Linux>:-Wl,-z,relro,-z,now>)
 endfunction()

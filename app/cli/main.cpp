@@ -1,5 +1,7 @@
 // The program: finds the verb, parses its options, and turns every failure into one line on
 // standard error and an exit code.
+#include <fcntl.h>
+
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -118,7 +120,20 @@ void print_error(const std::string& message) {
   }
 }
 
+/// Opens those of standard input, output and error that are closed: a file that is opened later would
+/// otherwise get its number, and then what is printed.
+void open_standard_streams() {
+  for (int stream = 0; stream <= 2;) {
+    if (fcntl(stream, F_GETFD) >= 0) {
+      ++stream;
+    } else if (open("/dev/null", O_RDWR) < 0) {
+      return;
+    }
+  }
+}
+
 int guarded_main(int argc, char** argv) {
+  open_standard_streams();
   // A closed pipe shows as a failed write, which is reported; dying of the signal would leave
   // temporary files.
   std::signal(SIGPIPE, SIG_IGN);

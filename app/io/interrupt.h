@@ -7,7 +7,7 @@ namespace pupflow::io {
 // code, and the dynamic linker binds the module's uses to the executable's one flag.
 #pragma GCC visibility push(default)
 
-/// From now on SIGINT and SIGTERM only set the flag; a second one ends the program at once.
+/// From now on SIGINT, SIGTERM and SIGHUP only set the flag; a second one ends the program at once.
 void watch_for_interrupt();
 
 /// Whether one of them came.

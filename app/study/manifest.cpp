@@ -1,5 +1,7 @@
 // The manifest of a sweep, written and read.
 #include <toml++/toml.h>
+
+#include <algorithm>
 #include <sstream>
 
 #include "app/io/failure.h"
@@ -91,7 +93,9 @@ void read_parameters(toml::table& table, const std::string& where, Params& param
     std::string value;
     if (const auto word = node.value_exact<std::string>()) {
       value = *word;
-    } else if (const auto number = node.value<double>()) {
+    } else if (const auto number = node.value<double>();
+               number && parameter.kind != Parameter::Kind::choice) {
+      if (!check_value(parameter, *number, problem)) refuse(where, problem.message);
       value = format_value(parameter, *number);
     } else if (!node) {
       missing.push_back(&parameter);
@@ -132,6 +136,9 @@ void read_points(Node sweep, const std::string& where, const std::string& table,
   spread_latin(design, spans, points);
 }
 
+/// What this program calls its sweeps.
+constexpr const char* kNames[] = {"sweep", "figure2"};
+
 }  // namespace
 
 Design parse_manifest(const std::string& text, const std::string& where, const std::string& table) {
@@ -144,6 +151,10 @@ Design parse_manifest(const std::string& text, const std::string& where, const s
   Design design;
   const auto sweep = toml["sweep"];
   design.name = required<std::string>(sweep, "name", where);
+  // It names files and stands in gnuplot's script, so no other text may come from a file.
+  if (std::find(std::begin(kNames), std::end(kNames), design.name) == std::end(kNames)) {
+    refuse(where, "no sweep is called " + io::quoted(design.name) + ", only sweep and figure2 are");
+  }
   design.shard = parse_shard(required<std::string>(sweep, "shard", where));
   read_parameters(toml, where, design.base);
   read_points(sweep, where, table, design);

@@ -262,18 +262,35 @@ TEST_F(CliRun, ShippedScenesGiveNoWarning) {
   }
 }
 
-TEST_F(CliRun, InterruptKeepsTheRowsDone) {
+class CliRunSignal : public CliRun, public testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(All, CliRunSignal, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+TEST_P(CliRunSignal, KeepsTheRowsDone) {
   test::Running running(PUPFLOW_PROGRAM,
                         {"run", "--steps", "1000000000", "--csv", "m.csv", "--quiet"},
                         scratch_.folder().string());
   while (scratch_.entries() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  running.signal(SIGINT);
+  running.signal(GetParam());
   const Outcome outcome = running.wait();
   EXPECT_EQ(outcome.code, 130);
   EXPECT_THAT(outcome.err, testing::MatchesRegex("pupflow: interrupted after step [0-9]+\n"));
   const std::string reason = outcome.err.substr(9, outcome.err.size() - 10);
   EXPECT_EQ(last_line("m.csv"), "# ended early: " + reason);
   EXPECT_EQ(reason, "interrupted after step " + std::to_string(rows("m.csv").size() - 1));
+}
+
+TEST_F(CliRun, WhatIsPrintedToAClosedStreamDoesNotLandInAFile) {
+  const auto run = [&](const std::string& file, const std::string& closed) {
+    const std::string command =
+        "'" PUPFLOW_PROGRAM "' run cold --steps 9000 --every 500 --csv " + file + " " + closed;
+    return test::run_program("/bin/sh", {"-c", command}, scratch_.folder().string()).code;
+  };
+  ASSERT_EQ(run("plain.csv", ""), 0);
+  EXPECT_EQ(run("closed.csv", "2>&-"), 0);
+  run("all.csv", "<&- >&- 2>&-");
+  const std::string plain = test::contents(scratch_.path("plain.csv"));
+  EXPECT_EQ(test::contents(scratch_.path("closed.csv")), plain);
+  EXPECT_EQ(test::contents(scratch_.path("all.csv")), plain);
 }
 
 TEST_F(CliRun, OutputDoesNotDependOnWhatIsWatched) {

@@ -121,15 +121,18 @@ TEST_P(WrongManifest, IsRefusedByName) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, WrongManifest,
-    ::testing::Values(std::pair{"[sweep]", "[sweep"}, std::pair{"seeds = 7", "seeds = 0"},
-                      std::pair{"seeds = 7", "seeds = \"7\""}, std::pair{"seeds = 7\n", ""},
-                      std::pair{"seed_block = 10", "seed_block = 0"},
-                      std::pair{"runs = ", "lhs = 0\nruns = "},
-                      std::pair{"runs = ", "record_every = -1\nruns = "},
-                      std::pair{"shard = \"3/8\"", "shard = \"9/8\""},
-                      std::pair{"beta = 0.5", "beta = 5"}, std::pair{"beta = 0.5", "betta = 0.5"},
-                      std::pair{"beta = 0.5", "beta = true"}, std::pair{"pups=2,5", "pups=2,5.5"},
-                      std::pair{"pups=2,5", "ta=2,5"}));
+    ::testing::Values(
+        std::pair{"[sweep]", "[sweep"}, std::pair{"seeds = 7", "seeds = 0"},
+        std::pair{"seeds = 7", "seeds = \"7\""}, std::pair{"seeds = 7\n", ""},
+        std::pair{"seed_block = 10", "seed_block = 0"}, std::pair{"runs = ", "lhs = 0\nruns = "},
+        std::pair{"runs = ", "record_every = -1\nruns = "},
+        std::pair{"shard = \"3/8\"", "shard = \"9/8\""}, std::pair{"beta = 0.5", "beta = 5"},
+        std::pair{"beta = 0.5", "betta = 0.5"}, std::pair{"beta = 0.5", "beta = true"},
+        std::pair{"pups=2,5", "pups=2,5.5"}, std::pair{"pups=2,5", "ta=2,5"},
+        std::pair{"heat = \"exact\"", "heat = 1000000"}, std::pair{"heat = \"exact\"", "heat = 1"},
+        std::pair{"pups = 3", "pups = 1e300"},
+        std::pair{"name = \"figure2\"", "name = \"../figure2\""},
+        std::pair{"name = \"figure2\"", "name = \"x'; else system('touch PWNED'); y = '\""}));
 
 TEST(Manifest, NamesTheFileInErrors) {
   EXPECT_THAT(failure_of(ExitCode::bad_input, [] { parse_manifest("x", "some/manifest.toml"); }),

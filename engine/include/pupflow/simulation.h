@@ -15,6 +15,8 @@
 
 namespace pupflow {
 
+class LitterModel;
+
 /// One litter in its arena. A value: copying it copies the whole state (that is how to take and
 /// restore a snapshot), and a copy goes on bit for bit like the original. Not thread-safe; separate
 /// objects may be used from separate threads.
@@ -134,10 +136,7 @@ class Simulation {
   std::uint64_t hash() const;
 
  private:
-  class Model;
-  template <class Real>
-  class LitterModel;
-  std::unique_ptr<Model> model_;
+  std::unique_ptr<LitterModel> model_;
 };
 
 }  // namespace pupflow

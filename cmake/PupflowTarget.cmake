@@ -1,5 +1,7 @@
 # pupflow_target(NAME): the language level, warnings and floating-point rules that all code shares.
 include(GNUInstallDirs)
+include(CheckPIESupported)
+check_pie_supported()
 
 function(pupflow_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -11,6 +13,10 @@ function(pupflow_target target)
   # -Wrestrict: GCC 12 warns wrongly about std::string (its bug 105651).
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
     -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast $<$<BOOL:${PUPFLOW_WERROR}>:-Werror>)
+  if(PUPFLOW_HARDEN)
+    target_compile_options(${target} PRIVATE -fstack-protector-strong
+      $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE> $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=2>)
+  endif()
   # Linkage tables are filled at the start and read-only from then on.
   target_link_options(${target} PRIVATE $<$<PLATFORM_ID:Linux>:-Wl,-z,relro,-z,now>)
 endfunction()

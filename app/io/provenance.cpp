@@ -75,10 +75,6 @@ void add_state(const Simulation& litter, TextEntries& entries) {
   if (const auto step = litter.edited()) entries.emplace_back("edited", std::to_string(*step));
 }
 
-std::string hash_text(std::uint64_t hash) {
-  return formatted("%016llx", static_cast<unsigned long long>(hash));
-}
-
 Params params_from(const TextEntries& entries, const std::string& where) {
   const auto find = [&](std::string_view name) {
     return std::find_if(entries.begin(), entries.end(),

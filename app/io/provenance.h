@@ -26,9 +26,6 @@ TextEntries provenance(const Simulation& start);
 /// hand, `edited`, the step after which they first were.
 void add_state(const Simulation& litter, TextEntries& entries);
 
-/// A hash as it is written: 16 hexadecimal digits.
-std::string hash_text(std::uint64_t hash);
-
 /// The parameters in such entries. A parameter that is missing takes its value by take_as_before.
 /// Throws Failure(bad_input), naming `where`, when the entries were not written by this program, a
 /// value is bad, or there is a parameter that this version does not know.

@@ -19,6 +19,16 @@ std::string number_text(double value) {
   return {buffer.data(), end};
 }
 
+std::string hash_text(std::uint64_t hash) {
+  return formatted("%016llx", static_cast<unsigned long long>(hash));
+}
+
+std::optional<std::uint64_t> read_hash(std::string_view text) {
+  std::uint64_t hash = 0;
+  std::from_chars(text.data(), text.data() + text.size(), hash, 16);
+  return hash_text(hash) == text ? std::optional(hash) : std::nullopt;
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (;;) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -26,6 +27,12 @@ std::optional<Number> read_number(std::string_view text) {
   if (error != std::errc{} || stop != end) return std::nullopt;
   return number;
 }
+
+/// A hash or checksum as files hold it: 16 hexadecimal digits in small letters.
+std::string hash_text(std::uint64_t hash);
+
+/// What hash_text wrote; nothing where `text` is anything else.
+std::optional<std::uint64_t> read_hash(std::string_view text);
 
 /// The parts of `text` between separators: one more than there are separators.
 std::vector<std::string_view> split(std::string_view text, char separator);

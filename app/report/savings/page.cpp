@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "app/io/provenance.h"
+#include "app/io/text.h"
 #include "app/report/savings/savings.h"
 
 namespace pupflow::report {

@@ -140,8 +140,9 @@ int guarded_main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that reaches its size limit
   io::watch_for_interrupt();
   const bool silent = is_silent_rank(argc, argv);
-  const auto report = [silent](const std::string& message, ExitCode code = ExitCode::bad_input) {
-    silent ? tell_rank_zero(message, code) : print_error(message);
+  const auto report = [&](const std::string& message, ExitCode code = ExitCode::bad_input) {
+    if (!silent) print_error(message);
+    leave_job(argc, argv, message, code);
   };
   try {
     parse_and_work(argc, argv);

@@ -18,8 +18,8 @@ bool is_standard_output(const std::string& path);
 /// does not exist or cannot be written to.
 void refuse_existing(const std::string& path, bool force);
 
-/// Text to standard output, at once. Throws Failure(bad_file) when not all of it got there (closed
-/// pipe, full disk).
+/// Text to standard output, at once, without control characters but \n and \t. Throws
+/// Failure(bad_file) when not all of it got there (closed pipe, full disk).
 void print(std::string_view text);
 
 /// A file being written. Bytes go to a temporary file in the folder of `path`, which takes its

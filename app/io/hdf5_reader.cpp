@@ -127,10 +127,10 @@ hsize_t frames_with_chunks(hid_t set) {
 
 /// Opens the file by name.
 hid_t open_file(const std::string& path, bool unfinished) {
+  if (!unfinished) return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_file_locking(access, false, true);  // a run that still writes does not mind
-  return H5Fopen(path.c_str(), unfinished ? H5F_ACC_RDONLY | H5F_ACC_SWMR_READ : H5F_ACC_RDONLY,
-                 access);
+  H5Pset_file_locking(access, false, true);  // the run may go on
+  return H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access);
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ Hdf5Reader::Hdf5Reader(const std::string& path) : path_(path), file_(-1, H5Fclos
     file_ = Handle(open_file(path, unfinished_), H5Fclose);
   }
   if (file_ < 0) {
-    fail(unfinished_ ? "is unfinished: its run ended before anything was recorded"
+    fail(unfinished_ ? "is unfinished: its run ended before anything was written"
                      : "cannot read: is no HDF5 file, or damaged");
   }
   if (const std::string foreign = foreign_part(file_); !foreign.empty()) {

@@ -9,8 +9,8 @@
 #include "app/io/hdf5_reader.h"
 #include "app/io/provenance.h"
 #include "app/io/recording.h"
-#include "app/io/user_block.h"
 #include "failing.h"
+#include "hdf5_edit.h"
 #include "pupflow/simulation.h"
 #include "tests/support/scratch.h"
 
@@ -125,13 +125,8 @@ class ForeignCheckpoint : public ::testing::Test {
  protected:
   std::string made(const std::function<void(hid_t)>& change) const {
     const std::string path = smallest(scratch_);
-    {
-      const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
-      change(file);
-    }
-    const std::string block = block_text(block_of("checkpoint", path));
-    std::string bytes = test::contents(path);
-    return scratch_.file("c.h5", bytes.replace(0, block.size(), block));
+    test::edit_hdf5(path, "checkpoint", change);
+    return path;
   }
   std::string refused(const std::function<void(hid_t)>& change) const {
     const std::string path = made(change);
@@ -161,9 +156,10 @@ TEST_F(ForeignCheckpoint, SizesThatTheParametersDoNotSayTakeNoMemory) {
     EXPECT_THAT(refused([&](hid_t file) { replace_set(file, name, {huge}, H5T_NATIVE_DOUBLE); }),
                 HasSubstr("'" + std::string(name) + "' has another size"));
   }
-  EXPECT_THAT(
-      refused([&](hid_t file) { replace_set(file, "touching", {huge, 2}, H5T_NATIVE_INT); }),
-      HasSubstr("more pairs touch"));
+  EXPECT_THAT(refused([&](hid_t file) {
+                replace_set(file, "touching", {huge, 2}, H5T_NATIVE_INT);
+              }),
+              HasSubstr("more pairs touch"));
 }
 
 TEST_F(ForeignCheckpoint, LinksToOtherPlacesAreRefused) {

@@ -133,28 +133,27 @@ void print_error(std::string_view message) {
 /// The exit code of what `work` throws, which `report` is told of.
 template <class Work, class Report>
 ExitCode code_of(Work work, Report report) {
+  const auto told = [&](const char* message, ExitCode code) {
+    report(message, code);
+    return code;
+  };
   try {
     work();
     return ExitCode::done;
   } catch (const Failure& failure) {
-    report(failure.what());
-    return failure.code();
+    return told(failure.what(), failure.code());
   } catch (const InvalidParams& invalid) {
-    report(invalid.what());
-    return ExitCode::bad_input;
+    return told(invalid.what(), ExitCode::bad_input);
   } catch (const std::bad_alloc&) {
-    report(kNoMemory);
-    return ExitCode::bad_input;
+    return told(kNoMemory, ExitCode::bad_input);
   } catch (const std::length_error&) {  // more than any memory holds
-    report(kNoMemory);
-    return ExitCode::bad_input;
+    return told(kNoMemory, ExitCode::bad_input);
   } catch (const std::system_error& error) {
     const bool of_threads = error.code() == std::errc::resource_unavailable_try_again;
-    report(of_threads ? kNoThreads : error.what());
-    return of_threads ? ExitCode::bad_input : ExitCode::bad_file;
+    return of_threads ? told(kNoThreads, ExitCode::bad_input)
+                      : told(error.what(), ExitCode::bad_file);
   } catch (const std::exception& error) {
-    report((std::string("internal error: ") + error.what()).c_str());
-    return ExitCode::difference;
+    return told((std::string("internal error: ") + error.what()).c_str(), ExitCode::difference);
   }
 }
 
@@ -178,8 +177,8 @@ int guarded_main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that reaches its size limit
   io::watch_for_interrupt();
   const bool silent = is_silent_rank(argc, argv);
-  const auto report = [silent](const char* message) {
-    if (!silent) print_error(message);
+  const auto report = [silent](const char* message, ExitCode code) {
+    silent ? tell_rank_zero(message, code) : print_error(message);
   };
   try {
     return static_cast<int>(code_of([&] { parse_and_work(argc, argv); }, report));

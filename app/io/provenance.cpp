@@ -118,7 +118,7 @@ void take_as_before(const std::vector<const Parameter*>& missing, const std::str
     return std::string(parameter->name) + " = " + format_value(*parameter, params);
   });
   std::fprintf(stderr, "pupflow: note: %s was written by an older version; taking %s\n",
-               where.c_str(), taken.c_str());
+               printable(where).c_str(), taken.c_str());
 }
 
 }  // namespace pupflow::io

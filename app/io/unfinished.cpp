@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <set>
 #include <vector>
 
 #include "app/io/atomic_file.h"
+#include "app/io/note.h"
 #include "app/io/text.h"
 
 namespace pupflow::io {
@@ -55,12 +55,6 @@ std::vector<std::string> left_in(const fs::path& folder) {
   return left;
 }
 
-std::string without_controls(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 32 || c == 127; }, '?');
-  return text;
-}
-
 }  // namespace
 
 void name_unfinished(std::span<const std::string> outputs) {
@@ -74,13 +68,10 @@ void name_unfinished(std::span<const std::string> outputs) {
     if (left.empty()) continue;
     const std::size_t all = left.size();
     left.resize(std::min(all, kMostNamed));
-    std::string names = joined(left, ", ", without_controls);
+    std::string names = joined(left, ", ");
     if (all > left.size()) names += " and " + std::to_string(all - left.size()) + " more";
-    std::fprintf(
-        stderr,
-        "pupflow: note: a run that was killed left %s; 'pupflow info' reads it, and you may "
-        "remove it\n",
-        names.c_str());
+    note("a run that was killed left " + names +
+         "; 'pupflow info' reads it, and you may remove it");
   }
 }
 

@@ -78,8 +78,8 @@ void name_unfinished(std::span<const std::string> outputs) {
     if (all > left.size()) names += " and " + std::to_string(all - left.size()) + " more";
     std::fprintf(
         stderr,
-        "pupflow: note: a run that was killed left %s; 'pupflow info' reads it, and you may "
-        "remove it\n",
+        "pupflow: note: earlier runs left unfinished: %s ('pupflow info FILE' tells what is "
+        "in one)\n",
         names.c_str());
   }
 }

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 namespace pupflow::io {
 namespace {
@@ -127,6 +128,7 @@ void FrameSeries::hand_over() {
   const hsize_t first = extent_.front(), frames = frames_;
   extent_.front() += frames;
   frames_ = flushed_ = 0;
+  completed_ = true;
   left_ = writer_.thread.run([this, first, frames] { write(leaving_, first, frames); });
 }
 
@@ -151,7 +153,8 @@ void FrameSeries::write(const std::vector<std::byte>& chunks, hsize_t first, hsi
 }
 
 void FrameSeries::flush() {
-  if (frames_ == 0 || frames_ < 2 * flushed_) return;
+  const bool completed = std::exchange(completed_, false);
+  if (completed || frames_ == 0 || frames_ < 2 * flushed_) return;
   writer_.thread.wait(left_);
   leaving_ = filling_;
   flushed_ = frames_;

@@ -70,8 +70,7 @@ void name_unfinished(std::span<const std::string> outputs) {
     left.resize(std::min(all, kMostNamed));
     std::string names = joined(left, ", ");
     if (all > left.size()) names += " and " + std::to_string(all - left.size()) + " more";
-    note("a run that was killed left " + names +
-         "; 'pupflow info' reads it, and you may remove it");
+    note("earlier runs left unfinished: " + names + " ('pupflow info FILE' tells what is in one)");
   }
 }
 

@@ -1,0 +1,65 @@
+#include "tests/fuzz/fuzz.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "app/io/text.h"
+#include "tests/support/scratch.h"
+
+namespace pupflow::fuzz {
+namespace {
+
+const test::Scratch& scratch() {
+  static const test::Scratch folder;
+  return folder;
+}
+
+bool is_control(char letter) {
+  return (letter >= 0 && letter < ' ') || letter == '\x7f';
+}
+
+}  // namespace
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::logic_error(what);
+}
+
+void require_sound(const std::string& message) {
+  for (const std::string_view line : io::split(message, '\n')) {
+    require(!line.empty(), "a message has an empty line: " + message);
+    require(std::none_of(line.begin(), line.end(), is_control),
+            "a message has control characters: " + message);
+  }
+}
+
+std::string file_of(std::string_view bytes) {
+  return scratch().file("input", std::string(bytes));
+}
+
+std::string no_file() {
+  std::filesystem::remove(scratch().path("output"));
+  return scratch().path("output");
+}
+
+std::uint8_t Source::byte() {
+  if (rest_.empty()) return 0;
+  const auto value = static_cast<std::uint8_t>(rest_.front());
+  rest_.remove_prefix(1);
+  return value;
+}
+
+double Source::share() {
+  const int high = byte(), low = byte();
+  return (256 * high + low) / 65535.0;
+}
+
+double Source::number() {
+  double value = 0;
+  const std::size_t size = std::min(rest_.size(), sizeof value);
+  std::memcpy(&value, rest_.data(), size);
+  rest_.remove_prefix(size);
+  return value;
+}
+
+}  // namespace pupflow::fuzz

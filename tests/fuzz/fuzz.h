@@ -18,7 +18,8 @@ void one_input(std::string_view bytes);
 /// Throws std::logic_error that says `what` unless `holds`.
 void require(bool holds, const std::string& what);
 
-/// Requires that each line of a message has text and no control characters.
+/// Requires that a message has text and is short enough to be read. It may quote what it is about as it
+/// is, control characters too: these are replaced where messages are printed.
 void require_sound(const std::string& message);
 
 /// Whether `read` refuses, with io::Failure and a sound message.

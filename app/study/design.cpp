@@ -125,7 +125,9 @@ void check_design(const Design& design) {
     }
   }
   const std::int64_t points = design.points();
-  if (points > kMostRuns || design.seeds > kMostRuns || design.runs() > kMostRuns) {
+  // The block is no number of runs, but numbers of runs are multiples of it.
+  if (points > kMostRuns || design.seeds > kMostRuns || design.runs() > kMostRuns ||
+      design.seed_block > kMostRuns) {
     refuse("the sweep has more than " + std::to_string(kMostRuns) +
            " runs; vary less or use fewer seeds");
   }

@@ -128,6 +128,7 @@ void read_points(Node sweep, const std::string& where, const std::string& table,
     for (const std::string& axis : vary) design.axes.push_back(parse_axis(axis));
     return;
   }
+  if (vary.empty()) refuse(where, "vary names nothing that lhs could spread");
   const auto points = required<std::int64_t>(sweep, "lhs", where);
   if (points < 1 || points > kMostValues) refuse(where, "lhs is out of range");
   std::vector<Span> spans;

@@ -36,7 +36,7 @@ Change change_from(Source& source, int pups) {
   change.step = source.byte() % kSteps;
   const std::uint8_t mode = source.byte();
   if (mode & 1) change.until = change.step + 1 + source.byte() % kSteps;
-  if (mode & 2) {
+  if (mode & 2 && pups > 0) {
     change.pup = source.byte() % pups;
     for (double& along : change.action.force) along = 20 * source.share() - 10;
     change.action.heat = source.share() - 0.5;

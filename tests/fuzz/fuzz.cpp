@@ -35,6 +35,17 @@ std::string no_file() {
   return scratch().path("output");
 }
 
+bool is_long(std::string_view range) {
+  constexpr double kMost = 10'000;
+  double product = 1, number = 0;
+  for (const char letter : range) {
+    const bool digit = letter >= '0' && letter <= '9';
+    if (!digit) product *= std::max(number, 1.0);
+    number = digit ? 10 * number + (letter - '0') : 0;
+  }
+  return product * std::max(number, 1.0) > kMost;
+}
+
 std::uint8_t Source::byte() {
   if (rest_.empty()) return 0;
   const auto value = static_cast<std::uint8_t>(rest_.front());

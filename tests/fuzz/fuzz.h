@@ -50,6 +50,10 @@ std::string file_of(std::string_view bytes);
 /// A path beside it where there is no file.
 std::string no_file();
 
+/// Whether the numbers in `range`, from:to:count or the like, multiply to more than so many: it is then
+/// left out, since all that it would take is time.
+bool is_long(std::string_view range);
+
 /// Numbers from the bytes of an input; zeros once all are used.
 class Source {
  public:

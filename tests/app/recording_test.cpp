@@ -3,10 +3,15 @@
 
 #include <gmock/gmock.h>
 
-#include "app/io/hdf5_file.h"
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "app/io/hdf5_reader.h"
 #include "app/io/params_of_file.h"
 #include "app/io/provenance.h"
 #include "app/io/recorded_run.h"
+#include "app/io/user_block.h"
 #include "failing.h"
 #include "pupflow/simulation.h"
 #include "tests/support/scratch.h"
@@ -194,6 +199,102 @@ TEST(Recording, AppearsWholeOrNotAtAll) {
   EXPECT_EQ(scratch.entries(), 0);
 }
 
+/// The name of the one file in the folder.
+std::string only_file(const test::Scratch& scratch) {
+  return std::filesystem::directory_iterator(scratch.folder())->path().string();
+}
+
+TEST(Recording, CanBeReadWhileItGrows) {
+  const test::Scratch scratch;
+  Simulation s(small());
+  Recording recording(scratch.path("r.h5"), false, small(), provenance(small()),
+                      parse_recorded_fields("pup,touched"));
+  EXPECT_EQ(RecordedRun(only_file(scratch)).frames(), 0u);
+  const auto start = std::chrono::steady_clock::now();
+  std::size_t there = 0;
+  for (int added = 0; there < 3; ++added) {
+    recording.add(s);
+    s.step();
+    ASSERT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+    const RecordedRun run(only_file(scratch));
+    ASSERT_LE(run.frames(), static_cast<std::size_t>(added) + 1);
+    there = run.frames();
+  }
+  const RecordedRun run(only_file(scratch));
+  EXPECT_THAT(std::vector(run.steps().begin(), run.steps().begin() + 3), ElementsAre(0, 1, 2));
+  EXPECT_EQ(run.params(), small());
+  recording.commit("");
+  EXPECT_GE(RecordedRun(scratch.path("r.h5")).frames(), there);
+  EXPECT_EQ(scratch.entries(), 1);
+}
+
+TEST(Recording, ChunksThatWereFlushedInPartHoldWhatTheLitterWas) {
+  const test::Scratch scratch;
+  std::vector<double> warmth;
+  {
+    Simulation s(small());
+    Recording recording(scratch.path("r.h5"), false, small(), provenance(small()),
+                        parse_recorded_fields("tb"));
+    for (int frame = 0; frame < 70; ++frame) {
+      if (frame % 5 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      recording.add(s);
+      for (const double tb : find_field("tb")->values(s)) warmth.push_back(tb);
+      s.step();
+    }
+    recording.commit("");
+  }
+  const RecordedRun run(scratch.path("r.h5"));
+  ASSERT_EQ(run.frames(), 70u);
+  std::vector<double> read(warmth.size());
+  run.read(*run.find("tb"), 0, 70, {}, NumberType::f8, read.data());
+  EXPECT_EQ(read, warmth);
+}
+
+TEST(Recording, EveryByteThatChangesIsFound) {
+  const test::Scratch scratch;
+  const Recorded was(scratch.path("r.h5"), small(), "tb", 3);
+  std::string bytes = test::contents(scratch.path("r.h5"));
+  for (std::size_t i = 0; i < bytes.size(); i += i < 1024 ? 1 : 61) {
+    const char good = bytes[i];
+    bytes[i] = static_cast<char>(good ^ (1 << i % 8));
+    const std::string damaged = scratch.file("damaged.h5", bytes);
+    test::failure_of(ExitCode::bad_file, [&] { const RecordedRun run(damaged); });
+    bytes[i] = good;
+  }
+  EXPECT_NO_THROW(RecordedRun(scratch.file("damaged.h5", bytes)));
+}
+
+TEST(Recording, NumbersOfAnUnfinishedOneHaveChecksumsOfTheirOwn) {
+  const test::Scratch scratch;
+  const Recorded was(scratch.path("r.h5"), small(), "tb", 3);
+  std::string bytes = test::contents(scratch.path("r.h5"));
+  const std::string block = block_text({"recording", {}, {}});
+  bytes.replace(0, block.size(), block);
+  const auto read = [&] {
+    const RecordedRun run(scratch.file("u.h5", bytes));
+    std::vector<double> numbers(9);
+    run.read(*run.find("tb"), 0, 3, {}, NumberType::f8, numbers.data());
+    return numbers;
+  };
+  ASSERT_EQ(read(), was.values.at("tb"));
+  const Handle file(H5Fopen(scratch.path("r.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Handle set(H5Dopen2(file, "pup/tb", H5P_DEFAULT), H5Dclose);
+  const hsize_t first[] = {0, 0};
+  hsize_t size = 0;
+  ASSERT_GE(H5Dget_chunk_storage_size(set, first, &size), 0);
+  std::string chunk(size, '\0');
+  std::uint32_t mask = 0;
+  ASSERT_GE(H5Dread_chunk(set, H5P_DEFAULT, first, &mask, chunk.data()), 0);
+  const std::size_t place = bytes.find(chunk);
+  ASSERT_NE(place, std::string::npos);
+  for (std::size_t i = 0; i < size; ++i) {
+    char& byte = bytes[place + i];
+    byte = static_cast<char>(byte ^ 1);
+    EXPECT_THAT(test::failure_of(ExitCode::bad_file, read), HasSubstr("cannot read 'pup/tb'")) << i;
+    byte = static_cast<char>(byte ^ 1);
+  }
+}
+
 TEST(Recording, CannotGoToAPipe) {
   const auto to_device = [] {
     const Recording r("/dev/null", true, small(), provenance(small()), {});
@@ -232,10 +333,16 @@ TEST(RecordedRun, RefusesWhatIsNoRecordingOfThisLayout) {
   test::failure_of(ExitCode::bad_file, [&] { const RecordedRun run(cut); });
 }
 
-/// Opens `path` for changes that no program of ours makes.
-void edit(const std::string& path, const std::function<void(hid_t)>& change) {
-  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
-  change(file);
+/// Opens `path` for changes that no program of ours makes, and gives it a checksum that fits.
+void edit(const test::Scratch& scratch, const std::function<void(hid_t)>& change) {
+  const std::string path = scratch.path("r.h5");
+  {
+    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    change(file);
+  }
+  const std::string block = block_text(block_of("recording", path));
+  std::string bytes = test::contents(path);
+  scratch.file("r.h5", bytes.replace(0, block.size(), block));
 }
 
 TEST(RecordedRun, RefusesSizesThatItsParametersDoNotSay) {
@@ -245,13 +352,13 @@ TEST(RecordedRun, RefusesSizesThatItsParametersDoNotSay) {
     return test::failure_of(ExitCode::bad_file,
                             [&] { const RecordedRun run(scratch.path("r.h5")); });
   };
-  edit(scratch.path("r.h5"), [](hid_t file) {
+  edit(scratch, [](hid_t file) {
     const Handle set(H5Dopen2(file, "pup/tb", H5P_DEFAULT), H5Dclose);
     const hsize_t extent[] = {4, 3};
     ASSERT_GE(H5Dset_extent(set, extent), 0);
   });
   EXPECT_THAT(refused(), HasSubstr("'pup/tb' has another size"));
-  edit(scratch.path("r.h5"), [](hid_t file) {
+  edit(scratch, [](hid_t file) {
     const Handle set(H5Dopen2(file, "step", H5P_DEFAULT), H5Dclose);
     const hsize_t extent[] = {hsize_t{1} << 40};
     ASSERT_GE(H5Dset_extent(set, extent), 0);

@@ -1,0 +1,86 @@
+#include "app/io/unfinished.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <vector>
+
+#include "app/io/atomic_file.h"
+#include "app/io/text.h"
+
+namespace pupflow::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostNamed = 3;
+
+/// Whether a process still has the file open as AtomicFile does.
+bool is_written(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
+  if (file < 0) return true;  // nothing to say about it
+  const bool locked = ::flock(file, LOCK_EX | LOCK_NB) != 0;
+  ::close(file);
+  return locked;
+}
+
+/// Whether it is a name that AtomicFile gives: NAME.PROCESS.unfinished.
+bool is_unfinished_name(std::string_view name) {
+  if (!name.ends_with(kUnfinished)) return false;
+  name.remove_suffix(kUnfinished.size());
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos || dot == 0) return false;
+  const auto numbers = split(name.substr(dot + 1), '-');
+  return std::all_of(numbers.begin(), numbers.end(), [](std::string_view number) {
+    return read_number<std::uint32_t>(number).has_value();
+  });
+}
+
+std::vector<std::string> left_in(const fs::path& folder) {
+  std::vector<std::string> left;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    std::error_code gone;
+    if (is_unfinished_name(at->path().filename().string()) && at->is_regular_file(gone) &&
+        !is_written(at->path())) {
+      left.push_back(at->path().string());
+    }
+  }
+  std::sort(left.begin(), left.end());
+  return left;
+}
+
+std::string without_controls(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 32 || c == 127; }, '?');
+  return text;
+}
+
+}  // namespace
+
+void name_unfinished(std::span<const std::string> outputs) {
+  std::set<fs::path> folders;
+  for (const std::string& output : outputs) {
+    if (output.empty() || is_stream(output)) continue;
+    folders.insert(fs::path(output).has_parent_path() ? fs::path(output).parent_path() : ".");
+  }
+  for (const fs::path& folder : folders) {
+    std::vector<std::string> left = left_in(folder);
+    if (left.empty()) continue;
+    const std::size_t all = left.size();
+    left.resize(std::min(all, kMostNamed));
+    std::string names = joined(left, ", ", without_controls);
+    if (all > left.size()) names += " and " + std::to_string(all - left.size()) + " more";
+    std::fprintf(stderr,
+                 "pupflow: note: a run that was killed left %s; 'pupflow info' reads it, and you may "
+                 "remove it\n",
+                 names.c_str());
+  }
+}
+
+}  // namespace pupflow::io

@@ -140,14 +140,14 @@ int guarded_main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that reaches its size limit
   io::watch_for_interrupt();
   const bool silent = is_silent_rank(argc, argv);
-  const auto report = [silent](const std::string& message) {
-    if (!silent) print_error(message);
+  const auto report = [silent](const std::string& message, ExitCode code = ExitCode::bad_input) {
+    silent ? tell_rank_zero(message, code) : print_error(message);
   };
   try {
     parse_and_work(argc, argv);
     return static_cast<int>(ExitCode::done);
   } catch (const Failure& failure) {
-    report(failure.what());
+    report(failure.what(), failure.code());
     return static_cast<int>(failure.code());
   } catch (const InvalidParams& invalid) {
     report(invalid.what());

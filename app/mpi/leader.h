@@ -19,7 +19,7 @@ class Leader : public study::Executor {
   ~Leader() override;
 
   /// Waits until every rank has said hello or is lost. Throws io::Failure(bad_input) if the command
-  /// lines of two ranks differ.
+  /// lines of two ranks differ, or one cannot take part.
   void wait_for_workers();
 
   void compute(std::int64_t count, const std::function<Params(std::int64_t)>& params_of,
@@ -58,7 +58,7 @@ class Leader : public study::Executor {
   Mailbox mailbox_;
   std::vector<Peer> peers_;  // by rank; the first is this rank's and is not used
   HeartbeatTimer timer_;
-  std::string difference_;  // an error message if the command lines of two ranks differ
+  std::string refusal_;  // why the job cannot start; empty if it can
 };
 
 }  // namespace pupflow::mpi

@@ -1,10 +1,36 @@
 #include "app/study/files.h"
 
+#include <signal.h>
+
+#include <cerrno>
 #include <filesystem>
 
 #include "app/io/failure.h"
+#include "app/io/text.h"
 
 namespace pupflow::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& message) {
+  throw io::Failure(io::ExitCode::bad_file, message);
+}
+
+/// Whether it is the name of a temporary file or folder of a process that has ended:
+/// ".pupflow-PID-N.tmp" (io::AtomicFile) or ".pupflow-PID-N.plot" (io::draw).
+bool is_leftover(std::string_view name) {
+  constexpr std::string_view kStart = ".pupflow-";
+  if (!name.starts_with(kStart)) return false;
+  const auto parts = io::split(name.substr(kStart.size()), '-');
+  const auto process = io::read_number<pid_t>(parts[0]);
+  if (parts.size() != 2 || !process || *process < 1) return false;
+  const auto end = io::split(parts[1], '.');
+  if (end.size() != 2 || !io::read_number<unsigned>(end[0])) return false;
+  return (end[1] == "tmp" || end[1] == "plot") && ::kill(*process, 0) != 0 && errno == ESRCH;
+}
+
+}  // namespace
 
 std::string runs_path(const std::string& folder) {
   return folder + "/runs.csv";
@@ -20,6 +46,13 @@ std::string journal_path(const std::string& folder) {
 }
 std::string table_path(const std::string& folder) {
   return folder + "/design.csv";
+}
+
+std::string series_folder(const std::string& folder) {
+  return folder + "/series";
+}
+std::string lock_path(const std::string& folder) {
+  return folder + "/sweep.lock";
 }
 
 std::vector<std::string> picture_paths(const std::string& folder, const Design& design) {
@@ -38,10 +71,47 @@ std::vector<std::string> result_paths(const std::string& folder, const Design& d
   return files;
 }
 
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) fail(folder + ": cannot make this folder: " + error.message());
+}
+
+void refuse_no_file(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::symlink_status(path, ignored);
+  if (!fs::exists(status) || fs::is_regular_file(status)) return;
+  fail(path +
+       (fs::is_symlink(status) ? ": is a symbolic link, through which no sweep writes"
+                               : ": is no regular file") +
+       "; remove it, or name another folder with --out");
+}
+
+void refuse_links(const std::string& folder, const Design& design) {
+  for (const std::string& path : result_paths(folder, design)) refuse_no_file(path);
+  for (const std::string& path : {manifest_path(folder), journal_path(folder), table_path(folder),
+                                  script_path(folder, design)})
+    refuse_no_file(path);
+  std::error_code ignored;
+  const std::string series = series_folder(folder);
+  if (design.record_every > 0 && fs::is_symlink(series, ignored))
+    fail(series +
+         ": is a symbolic link, through which no sweep writes; remove it, or name another "
+         "folder with --out");
+}
+
 void remove_file(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::remove(path, error) && error)
-    throw io::Failure(io::ExitCode::bad_file, path + ": cannot remove: " + error.message());
+  if (!fs::remove(path, error) && error) fail(path + ": cannot remove: " + error.message());
+}
+
+void remove_leftovers(const std::string& folder) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  if (fs::is_symlink(folder, error)) return;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (is_leftover(entry.path().filename().string())) found.push_back(entry.path());
+  for (const fs::path& path : found) fs::remove_all(path, error);
 }
 
 }  // namespace pupflow::study

@@ -137,12 +137,6 @@ About about_any(const std::string& path) {
 
 }  // namespace
 
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
-  return text;
-}
-
 About about_file(const std::string& path) {
   About about = about_any(path);
   for (std::string* text : {&about.kind, &about.software}) *text = printable(*text);

@@ -2,9 +2,11 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <cstdio>
@@ -12,6 +14,7 @@
 #include <system_error>
 
 #include "app/io/failure.h"
+#include "app/io/interrupt.h"
 #include "app/io/text.h"
 
 namespace pupflow::io {
@@ -26,6 +29,7 @@ constexpr std::size_t kLongestEnding = 32;
 
 Failure unwritable(const std::string& path, int error) {
   const std::string name = is_standard_output(path) ? "standard output" : path;
+  if (error == ECANCELED) return {ExitCode::interrupted, name + ": interrupted while writing"};
   return {ExitCode::bad_file, name + ": cannot write: " + std::generic_category().message(error)};
 }
 
@@ -42,17 +46,36 @@ int named_descriptor(const std::string& path) {
   return -1;
 }
 
-/// Writes everything; returns 0 or the error number.
-int write_all(int descriptor, std::string_view bytes) {
+/// What a pipe that is ready takes without waiting.
+constexpr std::size_t kPipePiece = PIPE_BUF;
+
+/// Writes everything, at most `piece` bytes a call; returns 0 or the error number: ECANCELED where
+/// nobody takes the bytes, and Ctrl-C came.
+int write_all(int descriptor, std::string_view bytes, std::size_t piece) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (!wait_until_ready(descriptor, POLLOUT)) return ECANCELED;
+    const ssize_t written = ::write(descriptor, bytes.data(), std::min(bytes.size(), piece));
     if (written >= 0) {
       bytes.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
+    } else if (errno != EINTR && errno != EAGAIN) {
       return errno;
     }
   }
   return 0;
+}
+
+/// Opens a device, or a pipe as soon as it has a reader; -1 with errno where that fails, ECANCELED
+/// after Ctrl-C.
+int open_stream(const std::string& path) {
+  for (;;) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+    if (descriptor >= 0 || (errno != ENXIO && errno != EINTR)) return descriptor;
+    if (interrupted()) {
+      errno = ECANCELED;
+      return -1;
+    }
+    ::poll(nullptr, 0, 50);
+  }
 }
 
 fs::path folder_of(const fs::path& path) {
@@ -112,7 +135,8 @@ void refuse_stream(const std::string& path) {
 }
 
 void print(std::string_view text) {
-  if (const int error = write_all(STDOUT_FILENO, text)) throw unwritable("-", error);
+  const std::string shown = printable(text, "\n\t");
+  if (const int error = write_all(STDOUT_FILENO, shown, kPipePiece)) throw unwritable("-", error);
 }
 
 AtomicFile::AtomicFile(const std::string& path, bool force) : path_(path), force_(force) {
@@ -122,8 +146,7 @@ AtomicFile::AtomicFile(const std::string& path, bool force) : path_(path), force
     return;
   }
   const int named = named_descriptor(path);
-  descriptor_ = named >= 0 ? ::fcntl(named, F_DUPFD_CLOEXEC, 0)
-                           : ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  descriptor_ = named >= 0 ? ::fcntl(named, F_DUPFD_CLOEXEC, 0) : open_stream(path);
   if (descriptor_ < 0) fail(errno);
 }
 
@@ -187,7 +210,8 @@ const std::string& AtomicFile::written_aside() const {
 }
 
 void AtomicFile::drain() {
-  if (const int error = write_all(descriptor_, buffer_)) fail(error);
+  const std::size_t piece = temporary_.empty() ? kPipePiece : buffer_.size();
+  if (const int error = write_all(descriptor_, buffer_, piece)) fail(error);
   buffer_.clear();
 }
 

@@ -25,8 +25,8 @@ void refuse_stream(const std::string& path);
 /// lock (flock); one without was left by a process that was killed.
 inline constexpr std::string_view kUnfinished = ".unfinished";
 
-/// Text to standard output, at once. Throws Failure(bad_file) when not all of it got there (closed
-/// pipe, full disk).
+/// Text to standard output, at once, without control characters but \n and \t. Throws
+/// Failure(bad_file) when not all of it got there (closed pipe, full disk).
 void print(std::string_view text);
 
 /// A file being written. Bytes go to a temporary file in the folder of `path`, which takes its

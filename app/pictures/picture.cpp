@@ -6,7 +6,9 @@
 #include <string>
 
 #include "app/context/headless.h"
+#include "app/gl/target.h"
 #include "app/io/failure.h"
+#include "app/io/memory.h"
 #include "app/io/text.h"
 #include "app/view/canvas.h"
 
@@ -64,6 +66,10 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
   }
 }
 
+void Picture::refuse_large() const {
+  pictures::refuse_large(width_, height_, scene_width_, height_, supersample_);
+}
+
 io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
                         const view::Camera& camera) {
   list_.update(litter, scale_, camera);
@@ -92,6 +98,19 @@ void check_samples(int supersample) {
   if (supersample >= 1 && supersample <= kMostSamples) return;
   io::refuse("the samples across a pixel must be " + limits(1, kMostSamples) + ", not " +
              std::to_string(supersample));
+}
+
+void refuse_large(int width, int height, int drawn_width, int drawn_height, int supersample) {
+  // A sample has color and depth; a pixel passes through copies on its way to the file.
+  constexpr double kOfSample = 8, kOfPixel = 32;
+  gl::Target::refuse_large(drawn_width * supersample, drawn_height * supersample);
+  const double samples = static_cast<double>(supersample) * supersample;
+  const std::string size = std::to_string(width) + "x" + std::to_string(height);
+  io::refuse_large("a picture of " + size + " pixels with " + std::to_string(supersample) + " x " +
+                       std::to_string(supersample) + " samples each",
+                   kOfSample * samples * drawn_width * drawn_height +
+                       kOfPixel * static_cast<double>(width) * height,
+                   "fewer of either need less");
 }
 
 io::TextEntries look_entries(const view::ColorScale& scale, int supersample) {

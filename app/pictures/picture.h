@@ -41,6 +41,10 @@ class Picture {
   /// Width over height of the scene's part, which is as tall as the picture.
   double scene_aspect() const { return static_cast<double>(scene_width_) / height_; }
 
+  /// Call it with the renderer's context current before long work. Throws like `draw`, and where
+  /// memory does not suffice.
+  void refuse_large() const;
+
   /// The litter as `camera` sees it. The renderer's context must be current. Throws
   /// Failure(bad_input) when the driver allows no picture of that size with the look's samples.
   io::Image draw(gl::Renderer& renderer, const LitterView& litter, const view::Camera& camera);
@@ -64,6 +68,11 @@ class Picture {
 
 /// Throws Failure(bad_input) unless 1 <= supersample <= kMostSamples.
 void check_samples(int supersample);
+
+/// Throws Failure(bad_input) when a picture of that size, of which a part of `drawn_width` x
+/// `drawn_height` pixels is drawn at a time, is more than OpenGL or the memory allows. An OpenGL
+/// context must be current.
+void refuse_large(int width, int height, int drawn_width, int drawn_height, int supersample);
 
 /// How files name the field, the colors and the samples of a picture with this fitted scale.
 io::TextEntries look_entries(const view::ColorScale& scale, int supersample);

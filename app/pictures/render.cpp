@@ -35,20 +35,24 @@ void check_job(const RenderJob& job) {
 /// Refuses before any work what could not be written after it. Numbered frames may go to a folder
 /// that is still to be made.
 void check_outputs(const RenderJob& job) {
-  const auto folder =
-      std::filesystem::path(io::frame_path(job.output.path, job.at.front())).parent_path();
-  if (io::has_number(job.output.path) && !folder.empty() && !std::filesystem::exists(folder)) {
+  std::filesystem::path made;
+  for (const std::int64_t step : job.at) {
+    const std::string path = io::frame_path(job.output.path, step);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    if (io::has_number(job.output.path) && folder != made)
+      std::filesystem::create_directories(folder, error);
+    made = folder;
     if (error) {
       throw io::Failure(io::ExitCode::bad_file,
                         folder.string() + ": cannot make the folder: " + error.message());
     }
-  }
-  for (const std::int64_t step : job.at) {
-    io::refuse_existing(io::frame_path(job.output.path, step), job.output.force);
+    io::refuse_existing(path, job.output.force);
   }
 }
+
+/// On a thread of its own; where the system gives none, by the thread that waits for it.
+constexpr std::launch kLaunch = std::launch::async | std::launch::deferred;
 
 /// Writes frames one after the other on a thread of its own, while the next one is made.
 class Writer {
@@ -63,7 +67,7 @@ class Writer {
     io::add_state(litter, extra);
     extra.emplace_back("camera", job_.camera.spec());
     extra.insert(extra.end(), look.begin(), look.end());
-    pending_ = std::async(std::launch::async, [this, step, extra, frame = std::move(image)] {
+    pending_ = std::async(kLaunch, [this, step, extra, frame = std::move(image)] {
       io::write_png(io::frame_path(job_.output.path, step), frame,
                     io::provenance(job_.params, extra), job_.output.force);
     });
@@ -121,6 +125,7 @@ void render(const RenderJob& job) {
   Picture picture(job.width, job.height, job.bar, job.look);
   const view::Camera camera = view::framed(job.camera, job.params, picture.scene_aspect());
   const Headless headless(job.look);
+  picture.refuse_large();
   check_outputs(job);
   Writer writer(job);
   io::Progress progress("render", job.at.back(), job.output.quiet);

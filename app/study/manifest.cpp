@@ -8,6 +8,7 @@
 #include "app/io/provenance.h"
 #include "app/io/schedule_text.h"
 #include "app/io/text.h"
+#include "app/io/toml_depth.h"
 #include "app/study/design.h"
 #include "app/study/latin.h"
 #include "app/study/table.h"
@@ -159,6 +160,7 @@ constexpr const char* kNames[] = {"sweep", "figure2"};
 
 Design parse_manifest(const std::string& text, const std::string& where, const std::string& table) {
   check_lines(text, where);
+  if (const std::string wrong = io::too_deep(text); !wrong.empty()) refuse(where, wrong);
   toml::table toml;
   try {
     toml = toml::parse(text);

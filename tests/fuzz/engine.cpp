@@ -15,7 +15,7 @@ namespace pupflow::fuzz {
 namespace {
 
 constexpr int kSteps = 50;
-constexpr int kMostPups = 6, kMostFacePoints = 4;
+constexpr int kMostPups = 4, kMostFacePoints = 3;
 
 /// A value for a row of the table: its default, one of its slider, an end of its range, or any.
 double value_for(const Parameter& row, Source& source) {

@@ -29,7 +29,7 @@ void go_on(const Snapshot& snapshot) {
 }  // namespace
 
 void one_input(std::string_view bytes) {
-  const std::string path = file_of(bytes);
+  const std::string path = hdf5_file_of(bytes, "checkpoint");
   refuses([&] {
     const Snapshot snapshot = io::read_checkpoint(path);
     try {

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "app/io/checksum.h"
+#include "app/io/user_block.h"
 #include "tests/support/scratch.h"
 
 namespace pupflow::fuzz {
@@ -28,6 +30,12 @@ void require_sound(const std::string& message) {
 
 std::string file_of(std::string_view bytes) {
   return scratch().file("input", std::string(bytes));
+}
+
+std::string hdf5_file_of(std::string_view bytes, const std::string& kind) {
+  if (bytes.size() < io::kUserBlock || bytes.starts_with("\x89HDF")) return file_of(bytes);
+  const std::string_view rest = bytes.substr(io::kUserBlock);
+  return file_of(io::block_text({kind, bytes.size(), io::checksum(rest)}) + std::string(rest));
 }
 
 std::string no_file() {

@@ -47,6 +47,10 @@ auto read_back(const Read& read) {
 /// The path of a file with these bytes; each call of this process writes the same file.
 std::string file_of(std::string_view bytes);
 
+/// The same of an HDF5 file; where it does not begin with HDF5's signature, the user block with the
+/// checksum is put right (user_block.h).
+std::string hdf5_file_of(std::string_view bytes, const std::string& kind);
+
 /// A path beside it where there is no file.
 std::string no_file();
 

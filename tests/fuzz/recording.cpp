@@ -27,7 +27,7 @@ void read(const std::string& path) {
 }  // namespace
 
 void one_input(std::string_view bytes) {
-  const std::string path = file_of(bytes);
+  const std::string path = hdf5_file_of(bytes, "recording");
   refuses([&] { read(path); });
   refuses([&] { io::about_file(path); });
 }

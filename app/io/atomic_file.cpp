@@ -152,8 +152,11 @@ AtomicFile::AtomicFile(const std::string& path, bool force) : path_(path), force
 
 void AtomicFile::open_temporary() {
   std::error_code error;
-  target_ = fs::is_symlink(path_, error) ? fs::canonical(path_, error).string() : path_;
-  if (error) fail(error.value());
+  target_ = path_;
+  if (fs::is_symlink(path_, error)) {
+    target_ = fs::canonical(path_, error).string();
+    if (error) fail(error.value());
+  }
   struct stat old = {};
   const bool replaces = ::stat(target_.c_str(), &old) == 0;
   const fs::path folder = folder_of(target_);

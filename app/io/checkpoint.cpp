@@ -20,7 +20,9 @@ void write(const Hdf5Writer& file, const char* name, const std::vector<hsize_t>&
   const Handle space(
       file.checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr)),
       H5Sclose);
-  const Handle set(file.checked(H5Dcreate2(file.id(), name, stored, space, H5P_DEFAULT, H5P_DEFAULT,
+  const Handle properties(file.checked(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose);
+  file.checked(H5Pset_obj_track_times(properties, false));  // equal litters give equal bytes
+  const Handle set(file.checked(H5Dcreate2(file.id(), name, stored, space, H5P_DEFAULT, properties,
                                            H5P_DEFAULT)),
                    H5Dclose);
   const bool empty = std::find(shape.begin(), shape.end(), 0) != shape.end();

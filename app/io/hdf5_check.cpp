@@ -52,7 +52,8 @@ std::string problem_of_set(hid_t set) {
   }
   const int filters = H5Pget_nfilters(properties);
   for (int i = 0; i < filters; ++i) {
-    if (!is_known_filter(properties, static_cast<unsigned>(i))) return "is packed by another filter";
+    if (!is_known_filter(properties, static_cast<unsigned>(i)))
+      return "is packed by another filter";
   }
   if (chunk_bytes(properties, H5Tget_size(type)) > kLargestChunk) return "has too large chunks";
   return {};
@@ -78,8 +79,8 @@ herr_t look_at(hid_t file, const char* name, const H5L_info_t* link, void* data)
   if (++look.links > kMostLinks) {
     problem = "is one object too many";
   } else {
-    problem = link->type == H5L_TYPE_HARD ? problem_of_object(file, name)
-                                          : "is a link to another place";
+    problem =
+        link->type == H5L_TYPE_HARD ? problem_of_object(file, name) : "is a link to another place";
   }
   if (problem.empty()) return 0;
   look.problem = quoted(name) + " " + problem;

@@ -13,18 +13,26 @@ namespace {
 
 /// A file at `path`, or in memory only for a checkpoint.
 hid_t open_new(const std::string& path, Hdf5Kind kind) {
-  quiet_hdf5();
   constexpr std::size_t kGrowth = std::size_t{1} << 20;
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   if (kind != Hdf5Kind::plain) H5Pset_userblock(creation, kUserBlock);
-  if (kind == Hdf5Kind::checkpoint) H5Pset_fapl_core(access, kGrowth, false);
-  if (kind == Hdf5Kind::recording) {
-    // Metadata with checksums, written in an order that leaves the file readable at any moment.
-    H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
+  if (kind == Hdf5Kind::checkpoint) {
+    H5Pset_fapl_core(access, kGrowth, false);
+  } else {
     H5Pset_file_locking(access, false, true);  // AtomicFile locks it
   }
+  // Metadata with checksums, written in an order that leaves the file readable at any moment.
+  if (kind == Hdf5Kind::recording) {
+    H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
+  }
   return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access);
+}
+
+/// Starts HDF5, which takes a while, before there is a file.
+const std::string& started(const std::string& path) {
+  quiet_hdf5();
+  return path;
 }
 
 const char* name_of(Hdf5Kind kind) {
@@ -66,7 +74,7 @@ hid_t hdf5_type(NumberType type) {
 }
 
 Hdf5Writer::Hdf5Writer(const std::string& path, bool force, Hdf5Kind kind)
-    : path_(path),
+    : path_(started(path)),
       kind_(kind),
       target_(path, force),
       file_(open_new(target_.written_aside(), kind)) {
@@ -75,8 +83,10 @@ Hdf5Writer::Hdf5Writer(const std::string& path, bool force, Hdf5Kind kind)
 }
 
 Hdf5Writer::~Hdf5Writer() {
-  if (file_ >= 0) H5Fclose(file_);
-  if (failed_ && flushed_) target_.keep();
+  const bool kept = failed_ && flushed_;
+  if (kept) target_.keep();
+  // Closing would say that all is written; so HDF5 lets go of it only at the end of the program.
+  if (file_ >= 0 && !kept) H5Fclose(file_);
 }
 
 hid_t Hdf5Writer::checked(hid_t result) const {
@@ -160,8 +170,9 @@ std::string Hdf5Writer::image() const {
   checked(H5Fflush(file_, H5F_SCOPE_LOCAL));
   const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
   checked(size < 0 ? -1 : 0);
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  checked(H5Fget_file_image(file_, bytes.data(), bytes.size()) < 0 ? -1 : 0);
+  std::string bytes(kUserBlock + static_cast<std::size_t>(size), '\0');  // the block is left out
+  checked(H5Fget_file_image(file_, bytes.data() + kUserBlock, bytes.size() - kUserBlock) < 0 ? -1
+                                                                                             : 0);
   return bytes;
 }
 

@@ -3,6 +3,7 @@
 #include <hdf5_hl.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -12,6 +13,7 @@
 #include "app/io/hdf5_check.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
+#include "app/io/trial.h"
 #include "app/io/user_block.h"
 #include "pupflow/parameters.h"
 
@@ -19,6 +21,9 @@ namespace pupflow::io {
 namespace {
 
 constexpr std::size_t kLongestText = std::size_t{1} << 20, kMostAttributes = 1000;
+
+/// Data sets of so many bytes are read when it is tried whether HDF5 can.
+constexpr std::uint64_t kMostTried = std::uint64_t{1} << 20;
 
 /// The value of a text attribute; nothing where it cannot be read.
 std::optional<std::string> read_text(hid_t attribute, hid_t type) {
@@ -127,10 +132,10 @@ hsize_t frames_with_chunks(hid_t set) {
 
 /// Opens the file by name.
 hid_t open_file(const std::string& path, bool unfinished) {
+  if (!unfinished) return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_file_locking(access, false, true);  // a run that still writes does not mind
-  return H5Fopen(path.c_str(), unfinished ? H5F_ACC_RDONLY | H5F_ACC_SWMR_READ : H5F_ACC_RDONLY,
-                 access);
+  H5Pset_file_locking(access, false, true);  // the run may go on
+  return H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access);
 }
 
 }  // namespace
@@ -141,19 +146,42 @@ Hdf5Reader::Hdf5Reader(const std::string& path) : path_(path), file_(-1, H5Fclos
   if (block && block->kind == "checkpoint" && block->checksum) {
     image_ = read_file(path, kLargestChecked);
     check_against(*block, path, image_);
-    constexpr unsigned kOurs = H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE;
-    file_ = Handle(H5LTopen_file_image(image_.data(), image_.size(), kOurs), H5Fclose);
-  } else {
-    if (block) check_against(*block, path);
-    unfinished_ = block && !block->size;
-    file_ = Handle(open_file(path, unfinished_), H5Fclose);
+  } else if (block) {
+    check_against(*block, path);
+    unfinished_ = !block->size;
   }
+  // Damaged files may make HDF5 go round in circles; large ones take their time.
+  std::error_code ignored;
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  const unsigned seconds = 2 + static_cast<unsigned>(std::min<std::uintmax_t>(size >> 27, 3600));
+  if (!ends_well(seconds, [this] { look_around(); })) fail("is damaged: HDF5 cannot read it");
+  open();
+}
+
+void Hdf5Reader::open() {
+  constexpr unsigned kOurs = H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE;
+  file_ = Handle(image_.empty() ? open_file(path_, unfinished_)
+                                : H5LTopen_file_image(image_.data(), image_.size(), kOurs),
+                 H5Fclose);
   if (file_ < 0) {
-    fail(unfinished_ ? "is unfinished: its run ended before anything was recorded"
+    fail(unfinished_ ? "is unfinished: its run ended before anything was written"
                      : "cannot read: is no HDF5 file, or damaged");
   }
   if (const std::string foreign = foreign_part(file_); !foreign.empty()) {
     fail("is damaged, or not of this program: " + foreign);
+  }
+}
+
+void Hdf5Reader::look_around() {
+  open();
+  static_cast<void>(text());
+  for (const SetInfo& set : sets()) {
+    static_cast<void>(frames_there(set.name));
+    std::uint64_t bytes = sizeof(double);
+    for (const std::uint64_t size : set.shape) {
+      bytes = size > kMostTried / bytes ? kMostTried + 1 : bytes * std::max<std::uint64_t>(size, 1);
+    }
+    if (bytes <= kMostTried) static_cast<void>(numbers(set.name, set.shape));
   }
 }
 
@@ -176,7 +204,7 @@ bool Hdf5Reader::has(const std::string& name) const {
 
 std::vector<std::uint64_t> Hdf5Reader::shape(const std::string& name) const {
   const Handle set(has(name) ? H5Dopen2(file_, name.c_str(), H5P_DEFAULT) : hid_t{-1}, H5Dclose);
-  if (set < 0) refuse(path_ + ": is no checkpoint: there is no " + quoted(name) + " in it");
+  if (set < 0) refuse(path_ + ": is no checkpoint: there is no " + io::quoted(name) + " in it");
   const std::vector<hsize_t> sizes = shape_of(set);
   return {sizes.begin(), sizes.end()};
 }
@@ -185,14 +213,14 @@ template <class T>
 std::vector<T> Hdf5Reader::read(const std::string& name, const std::vector<std::uint64_t>& shape,
                                 hid_t type) const {
   if (this->shape(name) != shape) {
-    fail("is damaged: " + quoted(name) + " has another size than its parameters say");
+    fail("is damaged: " + io::quoted(name) + " has another size than its parameters say");
   }
   const std::uint64_t count =
       std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());
   const Handle set(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
   std::vector<T> values(count);
   if (count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-    fail("cannot read " + quoted(name) + " in it");
+    fail("cannot read " + io::quoted(name) + " in it");
   }
   return values;
 }
@@ -238,7 +266,7 @@ void Hdf5Reader::part(const std::string& name, const std::vector<std::uint64_t>&
       H5Dread(set, hdf5_type(type), box, all, H5P_DEFAULT, values) >= 0) {
     return;
   }
-  fail("cannot read " + quoted(name) + " in it");
+  fail("cannot read " + io::quoted(name) + " in it");
 }
 
 std::uint64_t Hdf5Reader::frames_there(const std::string& name) const {

@@ -12,7 +12,8 @@
 namespace pupflow::io {
 
 /// A checkpoint or a recording, open for reading. Its checksum is compared before HDF5 looks at it.
-/// A checkpoint is read into memory at once. Members throw Failure(bad_file) when the file cannot be
+/// A checkpoint is read into memory at once. What HDF5 crashes on is found in another process and
+/// refused. Members throw Failure(bad_file) when the file cannot be
 /// read, is damaged, or has what no file of this program has: links to other places, data outside,
 /// other filters or types.
 class Hdf5Reader {
@@ -56,6 +57,8 @@ class Hdf5Reader {
   std::vector<T> read(const std::string& name, const std::vector<std::uint64_t>& shape,
                       hid_t type) const;
   [[noreturn]] void fail(const std::string& what) const;
+  void open();
+  void look_around();
 
   std::string path_;
   std::string image_;  // of a checkpoint; `file_` is closed before it goes

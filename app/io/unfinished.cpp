@@ -76,10 +76,11 @@ void name_unfinished(std::span<const std::string> outputs) {
     left.resize(std::min(all, kMostNamed));
     std::string names = joined(left, ", ", without_controls);
     if (all > left.size()) names += " and " + std::to_string(all - left.size()) + " more";
-    std::fprintf(stderr,
-                 "pupflow: note: a run that was killed left %s; 'pupflow info' reads it, and you may "
-                 "remove it\n",
-                 names.c_str());
+    std::fprintf(
+        stderr,
+        "pupflow: note: earlier runs left unfinished: %s ('pupflow info FILE' tells what is "
+        "in one)\n",
+        names.c_str());
   }
 }
 

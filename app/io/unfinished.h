@@ -1,4 +1,4 @@
-// Files that killed runs left.
+// Files that runs left when they were killed or the disk was full.
 #pragma once
 
 #include <span>

@@ -56,7 +56,8 @@ void compare_size(const UserBlock& block, const std::string& path, std::uint64_t
 }
 
 void compare_sum(const UserBlock& block, const std::string& path, std::uint64_t sum) {
-  if (sum != block.checksum) damaged(path, "its bytes are not those that were written");
+  if (sum == block.checksum) return;
+  damaged(path, "its bytes are not those that were written (or another program changed it)");
 }
 
 }  // namespace
@@ -82,8 +83,9 @@ std::optional<UserBlock> read_user_block(const std::string& path, std::string_vi
                   read_number<std::uint64_t>(part(parts, " bytes ")),
                   read_hash(part(parts, " checksum "))};
   if (block.kind != "checkpoint" && block.kind != "recording") {
-    throw Failure(ExitCode::bad_file, path + ": cannot read: is no HDF5 file of this program, or "
-                                             "damaged");
+    throw Failure(ExitCode::bad_file, path +
+                                          ": cannot read: is no HDF5 file of this program, or "
+                                          "damaged");
   }
   // Every byte of the block follows from what it says.
   const bool never = block.kind == "checkpoint" && !block.size;  // unfinished ones have other names

@@ -16,9 +16,9 @@ inline constexpr std::uint64_t kLargestChecked = std::uint64_t{1} << 30;
 
 /// What the line says.
 struct UserBlock {
-  std::string kind;                        // "checkpoint" or "recording"
-  std::optional<std::uint64_t> size;       // of the file, bytes; none while it is unfinished
-  std::optional<std::uint64_t> checksum;   // of what follows the block; none above kLargestChecked
+  std::string kind;                       // "checkpoint" or "recording"
+  std::optional<std::uint64_t> size;      // of the file, bytes; none while it is unfinished
+  std::optional<std::uint64_t> checksum;  // of what follows the block; none above kLargestChecked
 };
 
 /// The block as a file has it, kUserBlock bytes.

@@ -151,12 +151,12 @@ TEST(Unfinished, AreNamedWhereNoProcessWritesThem) {
   EXPECT_EQ(said(), "");
   scratch.file("b.h5.77.unfinished", "");
   scratch.file("a.txt.9-1.unfinished", "");
-  EXPECT_EQ(said(), "pupflow: note: a run that was killed left " +
-                        scratch.path("a.txt.9-1.unfinished") + ", " +
-                        scratch.path("b.h5.77.unfinished") +
-                        "; 'pupflow info' reads it, and you may remove it\n");
+  EXPECT_EQ(said(),
+            "pupflow: note: earlier runs left unfinished: " + scratch.path("a.txt.9-1.unfinished") +
+                ", " + scratch.path("b.h5.77.unfinished") +
+                " ('pupflow info FILE' tells what is in one)\n");
   for (const char* name : {"c.1.unfinished", "d.1.unfinished"}) scratch.file(name, "");
-  EXPECT_THAT(said(), HasSubstr("c.1.unfinished and 1 more;"));
+  EXPECT_THAT(said(), HasSubstr("c.1.unfinished and 1 more ("));
 }
 
 TEST(AtomicFile, NamesThePathAndTheReason) {

@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "app/io/checkpoint.h"
 #include "app/io/recorded_run.h"
@@ -93,10 +95,10 @@ TEST_F(CliCheckpoint, IsWrittenAsTheRunGoes) {
 }
 
 TEST_F(CliCheckpoint, IsTheLastStateWhereTheRunEnds) {
-  ASSERT_EQ(run(small({"--steps", "25", "--checkpoint", "c.h5", "--checkpoint-every", "10",
-                       "--quiet"}))
-                .code,
-            0);
+  ASSERT_EQ(
+      run(small({"--steps", "25", "--checkpoint", "c.h5", "--checkpoint-every", "10", "--quiet"}))
+          .code,
+      0);
   EXPECT_EQ(io::read_checkpoint(scratch_.path("c.h5")).step, 25);
   const test::Outcome alone = run(small({"--steps", "5", "--checkpoint-every", "10"}));
   EXPECT_EQ(alone.code, 2);
@@ -139,9 +141,10 @@ TEST_F(CliCheckpoint, WhatCannotBeWrittenIsRefusedBeforeTheFirstStep) {
 }
 
 TEST_F(CliCheckpoint, ARecordingThatFillsTheDiskStaysReadable) {
-  const std::string limited = "ulimit -f 1500; exec " PUPFLOW_PROGRAM
-                              " run cold --steps 100000 --record r.h5 --record-every 1 "
-                              "--record-fields pup,point --quiet";
+  const std::string limited =
+      "ulimit -f 1500; exec " PUPFLOW_PROGRAM
+      " run --set pups=3 --set face_points=2 --steps 1000000 --record r.h5 --record-every 1 "
+      "--record-fields tb --quiet";
   const test::Outcome full =
       test::run_program("/bin/sh", {"-c", limited}, scratch_.folder().string());
   EXPECT_EQ(full.code, 4);
@@ -152,6 +155,23 @@ TEST_F(CliCheckpoint, ARecordingThatFillsTheDiskStaysReadable) {
   const io::RecordedRun recorded(scratch_.path(left));
   EXPECT_GT(recorded.frames(), 0u);
   EXPECT_FALSE(std::filesystem::exists(scratch_.path("r.h5")));
+}
+
+TEST_F(CliCheckpoint, ARecordingCanBeReadWhileItGrows) {
+  const test::Running running(PUPFLOW_PROGRAM,
+                              {"run", "--set", "pups=3", "--set", "face_points=3", "--steps",
+                               "1000000000", "--record", "r.h5", "--record-every", "1", "--quiet"},
+                              scratch_.folder().string());
+  std::size_t frames = 0;
+  for (int look = 0; look < 300 && frames < 100; ++look) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    const std::filesystem::directory_iterator first(scratch_.folder());
+    if (first == std::filesystem::directory_iterator()) continue;
+    const std::string name = first->path().string();
+    if (test::run_program(PUPFLOW_PROGRAM, {"info", name}, "/").code != 0) continue;  // not begun
+    frames = io::RecordedRun(name).frames();
+  }
+  EXPECT_GE(frames, 100u);
 }
 
 TEST_F(CliCheckpoint, ARecordingSaysHowItWasMade) {

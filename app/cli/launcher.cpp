@@ -73,25 +73,30 @@ mpi::RankInfo launched_rank() {
   return self;
 }
 
-bool is_silent_rank(int argc, char** argv) {
-  const std::string_view verb = argc > 1 ? argv[1] : "";
-  return (verb == "sweep" || verb == "figure2") && rank_from_environment().rank > 0;
-}
-
 namespace {
 
 bool joined = false;  // whether this rank has begun to talk to the others
 
+bool computes_runs(int argc, char** argv) {
+  const std::string_view verb = argc > 1 ? argv[1] : "";
+  return verb == "sweep" || verb == "figure2";
+}
+
 }  // namespace
 
-void tell_rank_zero(const std::string& why, io::ExitCode code) noexcept {
-  if (joined) return;
+bool is_silent_rank(int argc, char** argv) {
+  return computes_runs(argc, argv) && rank_from_environment().rank > 0;
+}
+
+void leave_job(int argc, char** argv, const std::string& why, io::ExitCode code) noexcept {
+  if (joined || !computes_runs(argc, argv)) return;
   try {
     mpi::RankInfo self = rank_from_environment();
+    if (self.size < 2) return;
     if (number_in(kLostAfter).value_or(0) > 0) self.lost_after = lost_after({});
     load_mpi(self).refuse_work(self, why, static_cast<int>(code));
   } catch (const std::exception&) {
-    // There is nobody to tell.
+    // There is nobody to tell, or rank 0 hears why others cannot take part either.
   }
 }
 

@@ -15,9 +15,10 @@ mpi::RankInfo launched_rank();
 /// errors in the command line, and only rank 0 prints them.
 bool is_silent_rank(int argc, char** argv);
 
-/// Tells rank 0 why this rank, a silent one, cannot take part in the sweep: it prints that, unless it
-/// failed itself. Does nothing after load_mpi.
-void tell_rank_zero(const std::string& why, io::ExitCode code) noexcept;
+/// Ends a job of several ranks that this rank cannot take part in because its sweep does not begin:
+/// rank 0 learns why from the others, which are silent. Does nothing after load_mpi, or where there
+/// is no such job.
+void leave_job(int argc, char** argv, const std::string& why, io::ExitCode code) noexcept;
 
 /// Loads the MPI module. Throws io::Failure(bad_input) if it was not built or a library that it
 /// needs is missing: each process would compute the whole sweep.

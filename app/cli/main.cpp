@@ -130,26 +130,30 @@ void print_error(std::string_view message) {
     std::fprintf(stderr, "pupflow: and %zu lines like these\n", lines.size() - shown);
 }
 
-/// The exit code of what `work` throws, which `report` is told of with its message.
+/// The exit code of what `work` throws, which `report` is told of.
 template <class Work, class Report>
 ExitCode code_of(Work work, Report report) {
+  const auto told = [&](const char* message, ExitCode code) {
+    report(message, code);
+    return code;
+  };
   try {
     work();
     return ExitCode::done;
   } catch (const Failure& failure) {
-    return report(failure.what(), failure.code());
+    return told(failure.what(), failure.code());
   } catch (const InvalidParams& invalid) {
-    return report(invalid.what(), ExitCode::bad_input);
+    return told(invalid.what(), ExitCode::bad_input);
   } catch (const std::bad_alloc&) {
-    return report(kNoMemory, ExitCode::bad_input);
+    return told(kNoMemory, ExitCode::bad_input);
   } catch (const std::length_error&) {  // more than any memory holds
-    return report(kNoMemory, ExitCode::bad_input);
+    return told(kNoMemory, ExitCode::bad_input);
   } catch (const std::system_error& error) {
     const bool of_threads = error.code() == std::errc::resource_unavailable_try_again;
-    return of_threads ? report(kNoThreads, ExitCode::bad_input)
-                      : report(error.what(), ExitCode::bad_file);
+    return of_threads ? told(kNoThreads, ExitCode::bad_input)
+                      : told(error.what(), ExitCode::bad_file);
   } catch (const std::exception& error) {
-    return report((std::string("internal error: ") + error.what()).c_str(), ExitCode::difference);
+    return told((std::string("internal error: ") + error.what()).c_str(), ExitCode::difference);
   }
 }
 
@@ -173,9 +177,9 @@ int guarded_main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that reaches its size limit
   io::watch_for_interrupt();
   const bool silent = is_silent_rank(argc, argv);
-  const auto report = [silent](const char* message, ExitCode code) {
-    silent ? tell_rank_zero(message, code) : print_error(message);
-    return code;
+  const auto report = [&](const char* message, ExitCode code) {
+    if (!silent) print_error(message);
+    leave_job(argc, argv, message, code);
   };
   try {
     return static_cast<int>(code_of([&] { parse_and_work(argc, argv); }, report));

@@ -1,8 +1,8 @@
 #include "app/io/atomic_file.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -33,9 +33,10 @@ class Interface {
   /// disagrees with the launcher.
   virtual void run_worker(const RankInfo& self) = 0;
 
-  /// For a rank other than 0 that cannot take part: tells rank 0 why, which then throws it, and
-  /// returns when rank 0 stops this rank. Ends the process with `code` if rank 0 does not join within
-  /// lost_after: it may have failed itself.
+  /// For a rank that cannot take part: ends the job. Rank 0 stops all others; any other rank tells
+  /// rank 0 why, which throws that, and returns when rank 0 stops it. Ends the process with `code` if
+  /// MPI cannot be initialised within lost_after: other ranks may have failed, too. Throws as
+  /// start_leader.
   virtual void refuse_work(const RankInfo& self, const std::string& why, int code) = 0;
 };
 

@@ -75,7 +75,8 @@ class Module final : public Interface {
       const Watchdog watchdog(self.lost_after, code);
       initialise(self);
     }
-    mpi::refuse_work(self, why);
+    if (self.rank > 0) return mpi::refuse_work(self, why);
+    Leader(self).wait_for_workers();
   }
 };
 

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "app/io/about.h"
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"

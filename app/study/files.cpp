@@ -2,11 +2,13 @@
 
 #include <signal.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 
 #include "app/io/failure.h"
 #include "app/io/text.h"
+#include "app/io/unfinished.h"
 
 namespace pupflow::study {
 namespace {
@@ -17,17 +19,25 @@ namespace fs = std::filesystem;
   throw io::Failure(io::ExitCode::bad_file, message);
 }
 
-/// Whether it is the name of a temporary file or folder of a process that has ended:
-/// ".pupflow-PID-N.tmp" (io::AtomicFile) or ".pupflow-PID-N.plot" (io::draw).
-bool is_leftover(std::string_view name) {
-  constexpr std::string_view kStart = ".pupflow-";
-  if (!name.starts_with(kStart)) return false;
-  const auto parts = io::split(name.substr(kStart.size()), '-');
+/// Whether it is ".pupflow-PID-N.plot" (io::draw) of a process that has ended.
+bool is_old_drawing(std::string_view name) {
+  constexpr std::string_view kStart = ".pupflow-", kEnd = ".plot";
+  if (!name.starts_with(kStart) || !name.ends_with(kEnd)) return false;
+  name.remove_prefix(kStart.size());
+  name.remove_suffix(kEnd.size());
+  const auto parts = io::split(name, '-');
   const auto process = io::read_number<pid_t>(parts[0]);
-  if (parts.size() != 2 || !process || *process < 1) return false;
-  const auto end = io::split(parts[1], '.');
-  if (end.size() != 2 || !io::read_number<unsigned>(end[0])) return false;
-  return (end[1] == "tmp" || end[1] == "plot") && ::kill(*process, 0) != 0 && errno == ESRCH;
+  return parts.size() == 2 && process && *process > 0 && io::read_number<unsigned>(parts[1]) &&
+         ::kill(*process, 0) != 0 && errno == ESRCH;
+}
+
+/// The files that every sweep may have, but for its series.
+std::vector<std::string> own_paths(const std::string& folder, const Design& design) {
+  std::vector<std::string> paths = result_paths(folder, design);
+  for (const std::string& path : {manifest_path(folder), journal_path(folder), table_path(folder),
+                                  script_path(folder, design)})
+    paths.push_back(path);
+  return paths;
 }
 
 }  // namespace
@@ -88,10 +98,7 @@ void refuse_no_file(const std::string& path) {
 }
 
 void refuse_links(const std::string& folder, const Design& design) {
-  for (const std::string& path : result_paths(folder, design)) refuse_no_file(path);
-  for (const std::string& path : {manifest_path(folder), journal_path(folder), table_path(folder),
-                                  script_path(folder, design)})
-    refuse_no_file(path);
+  for (const std::string& path : own_paths(folder, design)) refuse_no_file(path);
   std::error_code ignored;
   const std::string series = series_folder(folder);
   if (design.record_every > 0 && fs::is_symlink(series, ignored))
@@ -105,12 +112,18 @@ void remove_file(const std::string& path) {
   if (!fs::remove(path, error) && error) fail(path + ": cannot remove: " + error.message());
 }
 
-void remove_leftovers(const std::string& folder) {
+void remove_leftovers(const std::string& folder, const Design& design) {
   std::error_code error;
+  const std::vector<std::string> own = own_paths(folder, design);
   std::vector<fs::path> found;
-  if (fs::is_symlink(folder, error)) return;
+  for (const io::Unfinished& file : io::unfinished_in(folder))
+    if (std::find(own.begin(), own.end(), folder + "/" + file.name) != own.end())
+      found.emplace_back(file.path);
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (is_leftover(entry.path().filename().string())) found.push_back(entry.path());
+    if (is_old_drawing(entry.path().filename().string())) found.push_back(entry.path());
+  const std::string series = series_folder(folder);
+  if (design.record_every > 0 && !fs::is_symlink(series, error))
+    for (const io::Unfinished& file : io::unfinished_in(series)) found.emplace_back(file.path);
   for (const fs::path& path : found) fs::remove_all(path, error);
 }
 

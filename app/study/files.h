@@ -38,8 +38,7 @@ void refuse_links(const std::string& folder, const Design& design);
 /// Removes a file if it is there. Throws io::Failure(bad_file).
 void remove_file(const std::string& path);
 
-/// Removes the temporary files that killed processes left in a folder. Those of processes that are
-/// still there stay. Does nothing where the folder is a link.
-void remove_leftovers(const std::string& folder);
+/// Removes what killed processes left unfinished of a sweep's files, and of their drawings.
+void remove_leftovers(const std::string& folder, const Design& design);
 
 }  // namespace pupflow::study

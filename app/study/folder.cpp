@@ -40,7 +40,6 @@ void write_text(const std::string& path, const std::string& text) {
 void claim_folder(const std::string& folder, const Design& design, bool force) {
   make_folder(folder);
   refuse_links(folder, design);
-  for (const std::string& place : {folder, series_folder(folder)}) remove_leftovers(place);
   const std::string text = manifest_text(design), path = manifest_path(folder);
   const bool claimed = fs::exists(path);
   const std::string there = claimed ? io::read_file(path, kLargestManifest) : "";

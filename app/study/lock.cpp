@@ -6,10 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <system_error>
 
 #include "app/io/failure.h"
+#include "app/io/note.h"
 #include "app/study/files.h"
 
 namespace pupflow::study {
@@ -38,9 +38,7 @@ bool FolderLock::take(const std::string& folder) const {
                             ": another process computes a sweep there; wait until it ends, or "
                             "name another folder with --out");
     }
-    std::fprintf(
-        stderr, "pupflow: note: %s: this file system has no locks; start no second process there\n",
-        folder.c_str());
+    io::note(folder + ": this file system has no locks; start no second process there");
     return true;
   }
   // The process that held it before may have removed the file meanwhile.

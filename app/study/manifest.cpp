@@ -8,7 +8,6 @@
 #include "app/io/provenance.h"
 #include "app/io/schedule_text.h"
 #include "app/io/text.h"
-#include "app/io/toml_depth.h"
 #include "app/study/design.h"
 #include "app/study/latin.h"
 #include "app/study/table.h"
@@ -129,7 +128,6 @@ void read_points(Node sweep, const std::string& where, const std::string& table,
     for (const std::string& axis : vary) design.axes.push_back(parse_axis(axis));
     return;
   }
-  if (vary.empty()) refuse(where, "vary names nothing that lhs could spread");
   const auto points = required<std::int64_t>(sweep, "lhs", where);
   if (points < 1 || points > kMostValues) refuse(where, "lhs is out of range");
   std::vector<Span> spans;
@@ -160,7 +158,6 @@ constexpr const char* kNames[] = {"sweep", "figure2"};
 
 Design parse_manifest(const std::string& text, const std::string& where, const std::string& table) {
   check_lines(text, where);
-  if (const std::string wrong = io::too_deep(text); !wrong.empty()) refuse(where, wrong);
   toml::table toml;
   try {
     toml = toml::parse(text);

@@ -96,6 +96,7 @@ SweepResult merge_shards(const std::vector<std::string>& folders, const std::str
   const Design whole = whole_of(parts.begin()->second.design);
   const FolderLock lock(folder);
   claim_folder(folder, whole, force);
+  remove_leftovers(folder, whole);
   for (const auto& [number, part] : parts) copy_series(part.folder, part.design, folder);
   return write_results(folder, whole, std::move(rows), plot_script);
 }

@@ -1,11 +1,11 @@
 #include "app/study/sweep.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
+#include "app/io/note.h"
 #include "app/io/progress.h"
 #include "app/study/files.h"
 #include "app/study/folder.h"
@@ -32,9 +32,8 @@ std::vector<std::int64_t> missing_runs(const SweepJob& job, const Journal& journ
 void tell_of_damage(const Journal& journal, const std::string& path) {
   if (journal.damaged() == 0) return;
   const bool one = journal.damaged() == 1;
-  std::fprintf(stderr, "pupflow: note: %lld damaged row%s of %s %s computed again\n",
-               static_cast<long long>(journal.damaged()), one ? "" : "s", path.c_str(),
-               one ? "is" : "are");
+  io::note(std::to_string(journal.damaged()) + " damaged row" + (one ? "" : "s") + " of " + path +
+           (one ? " is" : " are") + " computed again");
 }
 
 void compute(const SweepJob& job, const std::vector<std::int64_t>& missing, Journal& journal) {
@@ -87,6 +86,7 @@ SweepResult run_sweep(const SweepJob& job) {
   check_design(job.design);
   const FolderLock lock(job.folder);
   claim_folder(job.folder, job.design, job.force);
+  remove_leftovers(job.folder, job.design);
   std::vector<Row> rows;
   std::int64_t computed = 0;
   if (fs::exists(runs_path(job.folder))) rows = read_runs(runs_path(job.folder), job.design);

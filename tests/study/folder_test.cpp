@@ -214,16 +214,23 @@ TEST_F(AFolder, SeriesAreNotWrittenThroughLinks) {
 TEST_F(AFolder, LosesWhatKilledProcessesLeft) {
   claim_folder(folder_, design_, false);
   std::filesystem::create_directories(folder_ + "/.pupflow-2147483647-0.plot/.cache");
-  const std::string own = ".pupflow-" + std::to_string(::getpid()) + "-0.tmp";
-  for (const std::string& name : {std::string(".pupflow-2147483647-12.tmp"), own,
-                                  std::string(".pupflow-x-0.tmp"), std::string("notes.tmp")})
+  const std::string own = ".pupflow-" + std::to_string(::getpid()) + "-0.plot";
+  for (const std::string& name :
+       {std::string("runs.csv.4711.unfinished"), std::string("sweep.png.4711-1.unfinished"), own,
+        std::string(".pupflow-x-0.plot"), std::string("mine.csv.4711.unfinished")})
     scratch_.file("deep/sweep/" + name, "");
-  claim_folder(folder_, design_, false);
+  Design recorded = design_;
+  recorded.record_every = 1;
+  std::filesystem::create_directory(series_folder(folder_));
+  scratch_.file("deep/sweep/series/1-1.csv.4711.unfinished", "");
+  remove_leftovers(folder_, recorded);
+  EXPECT_TRUE(std::filesystem::is_empty(series_folder(folder_)));
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder_))
     names.push_back(entry.path().filename());
-  EXPECT_THAT(names, ::testing::UnorderedElementsAre("manifest.toml", own, ".pupflow-x-0.tmp",
-                                                     "notes.tmp"));
+  EXPECT_THAT(names,
+              ::testing::UnorderedElementsAre("manifest.toml", "series", own, ".pupflow-x-0.plot",
+                                              "mine.csv.4711.unfinished"));
 }
 
 TEST_F(AFolder, IsHeldByOneProcessAtATime) {

@@ -1,10 +1,12 @@
 // The program: finds the verb, parses its options, and turns every failure into one line on
 // standard error and an exit code.
 #include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <new>
 #include <stdexcept>
 #include <string_view>
@@ -157,6 +159,14 @@ ExitCode code_of(Work work, Report report) {
   }
 }
 
+/// libhdf5 calls exit(-1) where a call of it gets no memory; no end of this program's own has that
+/// status.
+void take_end_by_library(int status, void*) {
+  if ((status & 0xff) != 0xff) return;
+  std::fprintf(stderr, "pupflow: %s\n", kNoMemory);
+  _exit(static_cast<int>(ExitCode::bad_input));
+}
+
 /// Opens those of standard input, output and error that are closed: a file that is opened later would
 /// otherwise get its number, and then what is printed.
 void open_standard_streams() {
@@ -175,6 +185,7 @@ int guarded_main(int argc, char** argv) {
   // temporary files.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that reaches its size limit
+  on_exit(take_end_by_library, nullptr);
   io::watch_for_interrupt();
   const bool silent = is_silent_rank(argc, argv);
   const auto report = [&](const char* message, ExitCode code) {

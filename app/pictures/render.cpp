@@ -1,9 +1,10 @@
 #include "app/pictures/render.h"
 
 #include <filesystem>
-#include <future>
+#include <optional>
 
 #include "app/io/atomic_file.h"
+#include "app/io/background.h"
 #include "app/io/failure.h"
 #include "app/io/frame_path.h"
 #include "app/io/interrupt.h"
@@ -51,9 +52,6 @@ void check_outputs(const RenderJob& job) {
   }
 }
 
-/// On a thread of its own; where the system gives none, by the thread that waits for it.
-constexpr std::launch kLaunch = std::launch::async | std::launch::deferred;
-
 /// Writes frames one after the other on a thread of its own, while the next one is made.
 class Writer {
  public:
@@ -67,15 +65,17 @@ class Writer {
     io::add_state(litter, extra);
     extra.emplace_back("camera", job_.camera.spec());
     extra.insert(extra.end(), look.begin(), look.end());
-    pending_ = std::async(kLaunch, [this, step, extra, frame = std::move(image)] {
-      io::write_png(io::frame_path(job_.output.path, step), frame,
+    frame_ = std::move(image);
+    pending_ = thread_.run([this, step, extra] {
+      io::write_png(io::frame_path(job_.output.path, step), frame_,
                     io::provenance(job_.params, extra), job_.output.force);
     });
   }
 
   void finish() {
-    if (!pending_.valid()) return;
-    pending_.get();
+    if (!pending_) return;
+    thread_.wait(*pending_);
+    pending_.reset();
     ++written_;
   }
 
@@ -88,8 +88,10 @@ class Writer {
 
  private:
   const RenderJob& job_;
-  std::future<void> pending_;
+  io::Image frame_;
+  std::optional<io::Background::Ticket> pending_;
   std::size_t written_ = 0;
+  io::Background thread_;  // last: it uses the others
 };
 
 /// The litter to begin with. What its colors show is recorded from the first frame on.

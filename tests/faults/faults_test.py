@@ -31,12 +31,13 @@ class Case:
     """A command, the files that it makes, and what else holds of it."""
 
     def __init__(self, words, needs=(), folder=None, codes=None, kinds=KINDS, most=12,
-                 kept=()):
+                 hdf5=False, drawn=False):
         self.words, self.needs = words, needs
         self.folder = folder  # of a sweep; its command is given again after a fault
         self.codes = codes or set()  # that may follow beside those of KINDS
         self.kinds, self.most = kinds, most
-        self.kept = kept  # ends of names that may stay behind
+        self.hdf5 = hdf5  # an HDF5 file is read or written
+        self.drawn = drawn  # by OpenGL
 
 
 GRID = ["--vary", "ta=0:1:2", "--seeds", "2", "--record"]
@@ -44,14 +45,14 @@ CASES = {
     "csv": Case(["run", *SMALL, "--csv", "a.csv"]),
     "pups": Case(["run", *SMALL, "--pups", "a.csv"]),
     "record": Case(["run", *SMALL, "--record", "a.h5", "--record-every", "1"],
-                   kept=(".unfinished",)),
-    "checkpoint": Case(["run", *SMALL, "--checkpoint", "a.h5"]),
+                   hdf5=True),
+    "checkpoint": Case(["run", *SMALL, "--checkpoint", "a.h5"], hdf5=True),
     "scene": Case(["run", "in.toml", *SMALL, "--csv", "a.csv"], ["in.toml"]),
     "like": Case(["run", "--like", "in.csv", "--quiet", "--csv", "a.csv"], ["in.csv"]),
     "from": Case(["run", "--from", "in.h5", "--quiet", "--steps", "30", "--csv", "a.csv"],
-                 ["in.h5"]),
+                 ["in.h5"], hdf5=True),
     "render": Case(["render", *PICTURE, "--at", "0,1", "--size", "64x48", "--no-bar", "--out",
-                    "f/%d.png"], codes={5}, most=6),
+                    "f/%d.png"], codes={5}, most=6, drawn=True),
     "threads": Case(["run", "--set", "pups=64", "--set", "face_points=3", "--steps", "3",
                      "--threads", "4", "--quiet", "--csv", "a.csv"], kinds={"thread": {0}}),
     "sweep": Case(["sweep", *SWEEP, *GRID, "--out", "s"], folder="s", most=5),
@@ -137,15 +138,21 @@ class Trial:
         if self.case.folder:
             return self.finish(fault)
         for name, data in files.items():
-            if code != 0 and name.endswith(self.case.kept):
-                continue
+            if code != 0 and self.case.hdf5 and name.endswith(".unfinished"):
+                continue  # what a recording flushed, or where libhdf5 ended the program
             if name not in self.reference:
                 self.complain(fault, f"exit code {code}, left behind: {name}")
-            elif data != self.reference[name]:
+            elif data != self.reference[name] and not self.same_recording(name):
                 self.complain(fault, f"exit code {code}, {name} differs")
         for name in self.reference.keys() - files.keys():
             if code == 0:
                 self.complain(fault, f"exit code 0 without {name}")
+
+    def same_recording(self, name):
+        """HDF5 may place the same data otherwise after a write that it did again."""
+        return name.endswith(".h5") and subprocess.run(
+            [self.program, "verify", name], cwd=self.scratch / "work", capture_output=True
+        ).returncode == 0
 
     def finish(self, fault):
         """The same command completes the folder."""
@@ -168,7 +175,9 @@ def main():
             continue
         calls = trial.calls(kind)
         for call in calls:
-            for later in ("", "+"):  # this call alone, or all later ones too
+            # This call alone, or all later ones too. Without any memory libhdf5 and Mesa crash.
+            alone = kind == "malloc" and (trial.case.hdf5 or trial.case.drawn)
+            for later in ("",) if alone else ("", "+"):
                 trial.look(f"{kind}:{call}{later}", allowed | trial.case.codes)
     shutil.rmtree(trial.scratch)
     print(f"{name}: {trial.faults} faults, {trial.problems} problems")

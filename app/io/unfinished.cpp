@@ -29,46 +29,49 @@ bool is_written(const fs::path& path) {
   return locked;
 }
 
-/// Whether it is a name that AtomicFile gives: NAME.PROCESS.unfinished.
-bool is_unfinished_name(std::string_view name) {
-  if (!name.ends_with(kUnfinished)) return false;
+/// NAME of a name that AtomicFile gives, NAME.PROCESS.unfinished; empty for any other.
+std::string_view finished_name(std::string_view name) {
+  if (!name.ends_with(kUnfinished)) return {};
   name.remove_suffix(kUnfinished.size());
   const std::size_t dot = name.rfind('.');
-  if (dot == std::string_view::npos || dot == 0) return false;
+  if (dot == std::string_view::npos) return {};
   const auto numbers = split(name.substr(dot + 1), '-');
-  return std::all_of(numbers.begin(), numbers.end(), [](std::string_view number) {
+  const bool all = std::all_of(numbers.begin(), numbers.end(), [](std::string_view number) {
     return read_number<std::uint32_t>(number).has_value();
   });
-}
-
-std::vector<std::string> left_in(const fs::path& folder) {
-  std::vector<std::string> left;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    std::error_code gone;
-    if (is_unfinished_name(at->path().filename().string()) && at->is_regular_file(gone) &&
-        !is_written(at->path())) {
-      left.push_back(at->path().string());
-    }
-  }
-  std::sort(left.begin(), left.end());
-  return left;
+  return all ? name.substr(0, dot) : std::string_view();
 }
 
 }  // namespace
 
+std::vector<Unfinished> unfinished_in(const std::string& folder) {
+  std::vector<Unfinished> left;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    std::error_code gone;
+    const std::string file = at->path().filename().string();
+    const std::string_view name = finished_name(file);
+    if (!name.empty() && at->is_regular_file(gone) && !is_written(at->path()))
+      left.push_back({at->path().string(), std::string(name)});
+  }
+  std::sort(left.begin(), left.end(),
+            [](const Unfinished& a, const Unfinished& b) { return a.path < b.path; });
+  return left;
+}
+
 void name_unfinished(std::span<const std::string> outputs) {
-  std::set<fs::path> folders;
+  std::set<std::string> folders;
   for (const std::string& output : outputs) {
     if (output.empty() || is_stream(output)) continue;
-    folders.insert(fs::path(output).has_parent_path() ? fs::path(output).parent_path() : ".");
+    folders.insert(fs::path(output).has_parent_path() ? fs::path(output).parent_path().string()
+                                                      : std::string("."));
   }
-  for (const fs::path& folder : folders) {
-    std::vector<std::string> left = left_in(folder);
+  for (const std::string& folder : folders) {
+    std::vector<Unfinished> left = unfinished_in(folder);
     if (left.empty()) continue;
     const std::size_t all = left.size();
     left.resize(std::min(all, kMostNamed));
-    std::string names = joined(left, ", ");
+    std::string names = joined(left, ", ", [](const Unfinished& file) { return file.path; });
     if (all > left.size()) names += " and " + std::to_string(all - left.size()) + " more";
     note("earlier runs left unfinished: " + names + " ('pupflow info FILE' tells what is in one)");
   }

@@ -88,8 +88,10 @@ void disturb(Simulation& litter, Source& source) {
 bool all_finite(const LitterView& litter) {
   const auto finite = [](double value) { return std::isfinite(value); };
   for (int pup = 0; pup < litter.pups; ++pup) {
-    if (!litter.positions.mean(pup).allFinite() || !litter.velocities.mean(pup).allFinite())
-      return false;
+    for (int point = 0; point < litter.points; ++point) {
+      if (!litter.positions(pup, point).allFinite() || !litter.velocities(pup, point).allFinite())
+        return false;
+    }
   }
   return std::all_of(litter.tb.begin(), litter.tb.end(), finite) &&
          std::all_of(litter.heading.begin(), litter.heading.end(), finite);

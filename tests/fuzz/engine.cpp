@@ -118,9 +118,11 @@ void look(Simulation& litter) {
   }
 }
 
-/// What `steps` steps come to: the litter's hash, or the status. Bits of NaN have no meaning.
+/// What steps come to: the litter's hash, or the step that went wrong. Bits of NaN have no meaning, and
+/// what is first found in a step depends on what is observed.
 std::string outcome(const Simulation& litter) {
-  return litter.status().ok() ? io::hash_text(litter.hash()) : litter.status().message();
+  const Status& status = litter.status();
+  return status.ok() ? io::hash_text(litter.hash()) : "bad at " + std::to_string(status.step);
 }
 std::string outcome_after(Simulation litter, std::int64_t steps) {
   litter.run(steps);

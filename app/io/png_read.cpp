@@ -14,6 +14,7 @@ namespace pupflow::io {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
+constexpr std::size_t kLargestPicture = std::size_t{1} << 31;  // bytes of its pixels
 
 Failure no_png(const std::string& path, const std::string& reason) {
   return {ExitCode::bad_file, path + ": cannot read PNG: " + reason};
@@ -106,6 +107,11 @@ Image read_png(const std::string& path) {
     throw no_png(path, png.message);
   }
   png.format = PNG_FORMAT_RGBA;
+  if (std::uint64_t{4} * png.width * png.height > kLargestPicture) {
+    png_image_free(&png);
+    throw no_png(path, "it has " + std::to_string(png.width) + " x " + std::to_string(png.height) +
+                           " pixels, more than memory is taken for");
+  }
   Image image(static_cast<int>(png.width), static_cast<int>(png.height));
   if (!png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr)) {
     throw no_png(path, png.message);

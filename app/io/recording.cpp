@@ -135,9 +135,9 @@ class Recording::File {
   }
 
   void make_frames() {
-    FrameSeries& frame = add_set("frame", {}, NumberType::i8, "", "Number of the frame.",
-                                 [this](const LitterView&, std::int64_t number,
-                                        FrameSeries& series) { put(series, number); });
+    FrameSeries& frame = add_set(
+        "frame", {}, NumberType::i8, "", "Number of the frame.",
+        [](const LitterView&, std::int64_t number, FrameSeries& series) { put(series, number); });
     make_dimension(file, frame.id(), "frame");
     frame_ = &frame;
     add_set("time", {}, NumberType::f8, "s", "Time in the model.",

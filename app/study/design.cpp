@@ -125,8 +125,13 @@ void check_design(const Design& design) {
       refuse("--vary " + std::string(axis.parameter->name) + " is given twice");
     }
   }
+  if (!design.given_seeds.empty() && design.seeds != 1)
+    refuse("a table that gives the seed of each run has one run a row, not " +
+           std::to_string(design.seeds));
   const std::int64_t points = design.points();
-  if (points > kMostRuns || design.seeds > kMostRuns || design.runs() > kMostRuns) {
+  // The block is no number of runs, but numbers of runs are multiples of it.
+  if (points > kMostRuns || design.seeds > kMostRuns || design.runs() > kMostRuns ||
+      design.seed_block > kMostRuns) {
     refuse("the sweep has more than " + std::to_string(kMostRuns) +
            " runs; vary less or use fewer seeds");
   }

@@ -21,7 +21,7 @@ namespace {
 
 template <class T>
 T required(const toml::node_view<toml::node>& node, const char* key, const std::string& where) {
-  const auto value = node[key].value<T>();
+  const auto value = node[key].value_exact<T>();  // toml++ would cast any number
   if (!value) refuse(where, std::string(key) + " is missing or of another kind");
   return *value;
 }
@@ -175,8 +175,8 @@ Design parse_manifest(const std::string& text, const std::string& where, const s
   read_parameters(toml, where, design.base);
   read_points(sweep, where, table, design);
   design.seeds = required<std::int64_t>(sweep, "seeds", where);
-  design.seed_block = sweep["seed_block"].value_or(design.seeds);
-  design.record_every = sweep["record_every"].value_or(std::int64_t{0});
+  design.seed_block = sweep["seed_block"].value_exact<std::int64_t>().value_or(design.seeds);
+  design.record_every = sweep["record_every"].value_exact<std::int64_t>().value_or(0);
   if (design.seeds < 1) refuse(where, "seeds must be at least 1");
   if (design.seed_block != design.seeds && design.seed_block != kSeedBlock)
     refuse(where, "seed_block must be " + std::to_string(kSeedBlock));

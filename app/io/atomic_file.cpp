@@ -203,8 +203,10 @@ void AtomicFile::write_at_start(std::string_view bytes) {
 }
 
 void AtomicFile::write(std::string_view bytes) {
-  buffer_ += bytes;
-  if (buffer_.size() >= kBuffer) drain();
+  if (bytes.size() < kBuffer) buffer_ += bytes;
+  if (buffer_.size() >= kBuffer || bytes.size() >= kBuffer) drain();
+  if (bytes.size() < kBuffer) return;
+  if (const int error = write_all(descriptor_, bytes)) fail(error);
 }
 
 const std::string& AtomicFile::written_aside() const {

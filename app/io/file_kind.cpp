@@ -8,6 +8,8 @@
 namespace pupflow::io {
 namespace {
 
+constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
+
 /// A kill may come between making a file and writing to it.
 void refuse_not_begun(const std::string& path, std::string_view bytes) {
   const bool empty = bytes.substr(0, kUserBlock).find_first_not_of('\0') == std::string_view::npos;

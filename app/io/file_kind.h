@@ -2,12 +2,8 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 namespace pupflow::io {
-
-inline constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
-inline constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1a\n";
 
 enum class FileKind {
   picture,  // PNG

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 namespace pupflow::io {
 namespace {
@@ -25,20 +26,20 @@ void convert(std::span<const double> values, std::span<std::byte> to) {
 /// Appends the checksum that HDF5's filter fletcher32 appends: that of big-endian words of two
 /// bytes, a last odd byte being the upper one.
 void append_fletcher32(std::vector<std::byte>& bytes) {
-  constexpr std::size_t kWithoutOverflow = 360;  // words, after which the sums are folded
+  constexpr std::size_t kWithoutOverflow = 720;  // bytes, after which the sums are folded
   const auto fold = [](std::uint32_t sum) { return (sum & 0xffff) + (sum >> 16); };
   std::uint32_t first = 0, second = 0;
-  std::size_t until_folded = kWithoutOverflow;
-  for (std::size_t i = 0; i < bytes.size(); i += 2) {
-    const auto low = i + 1 < bytes.size() ? static_cast<std::uint32_t>(bytes[i + 1]) : 0;
-    first += static_cast<std::uint32_t>(bytes[i]) << 8 | low;
-    second += first;
-    if (--until_folded > 0) continue;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t end = std::min(at + kWithoutOverflow, bytes.size());
+    for (; at < end; at += 2) {
+      const auto low = at + 1 < bytes.size() ? static_cast<std::uint32_t>(bytes[at + 1]) : 0;
+      first += static_cast<std::uint32_t>(bytes[at]) << 8 | low;
+      second += first;
+    }
     first = fold(first);
     second = fold(second);
-    until_folded = kWithoutOverflow;
   }
-  const std::uint32_t sum = fold(fold(second)) << 16 | fold(fold(first));
+  const std::uint32_t sum = fold(second) << 16 | fold(first);
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::byte>(sum >> shift));
 }
 
@@ -127,6 +128,7 @@ void FrameSeries::hand_over() {
   const hsize_t first = extent_.front(), frames = frames_;
   extent_.front() += frames;
   frames_ = flushed_ = 0;
+  completed_ = true;
   left_ = writer_.thread.run([this, first, frames] { write(leaving_, first, frames); });
 }
 
@@ -151,7 +153,8 @@ void FrameSeries::write(const std::vector<std::byte>& chunks, hsize_t first, hsi
 }
 
 void FrameSeries::flush() {
-  if (frames_ == 0 || frames_ < 2 * flushed_) return;
+  const bool completed = std::exchange(completed_, false);
+  if (completed || frames_ == 0 || frames_ < 2 * flushed_) return;
   writer_.thread.wait(left_);
   leaving_ = filling_;
   flushed_ = frames_;

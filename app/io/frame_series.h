@@ -50,8 +50,8 @@ class FrameSeries {
   /// The frame under way is complete.
   void next_frame();
 
-  /// Writes the frames of the chunk under way, too, where they have doubled since it was last
-  /// written: its former place in the file is lost each time.
+  /// Writes the frames of the chunk under way, where no chunk was completed since the last call and
+  /// they have doubled since they were last written: their former place in the file is lost each time.
   void flush();
 
   /// Writes what is left. Last.
@@ -68,6 +68,7 @@ class FrameSeries {
   NumberType type_;
   std::size_t items_, chunk_frames_, chunk_items_, row_bytes_;
   std::size_t frames_ = 0;                    // in `filling_`
+  bool completed_ = false;                    // a chunk, since the last flush
   std::size_t flushed_ = 0;                   // of them, already in the file
   std::vector<std::byte> filling_, leaving_;  // chunk by chunk
   std::vector<std::byte> stored_;             // of the thread: a chunk as it goes to the file

@@ -79,7 +79,6 @@ Hdf5Writer::Hdf5Writer(const std::string& path, bool force, Hdf5Kind kind)
       target_(path, force),
       file_(open_new(target_.written_aside(), kind)) {
   checked(file_);
-  if (kind == Hdf5Kind::recording) target_.write_at_start(block_text({name_of(kind), {}, {}}));
 }
 
 Hdf5Writer::~Hdf5Writer() {
@@ -97,8 +96,9 @@ hid_t Hdf5Writer::checked(hid_t result) const {
   throw Failure(ExitCode::bad_file, message);
 }
 
-void Hdf5Writer::only_grow() const {
+void Hdf5Writer::only_grow() {
   checked(H5Fstart_swmr_write(file_));
+  target_.write_at_start(block_text({name_of(kind_), {}, {}}));  // only now can it be read
 }
 
 void Hdf5Writer::flush() const {

@@ -79,7 +79,7 @@ class Hdf5Writer {
 
   /// From now on data sets only grow: what is flushed can be read whatever happens next. For a
   /// recording whose data sets are all there.
-  void only_grow() const;
+  void only_grow();
 
   /// Hands everything to the operating system.
   void flush() const;

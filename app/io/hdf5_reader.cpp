@@ -135,6 +135,9 @@ hid_t open_file(const std::string& path, bool unfinished) {
   if (!unfinished) return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_file_locking(access, false, true);  // the run may go on
+  // Each try at what is damaged, or is being written, takes twice as long as the one before, from 1 ns.
+  constexpr unsigned kTries = 20;
+  H5Pset_metadata_read_attempts(access, kTries);
   return H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access);
 }
 

@@ -7,7 +7,6 @@
 
 #include "app/io/checksum.h"
 #include "app/io/failure.h"
-#include "app/io/file_kind.h"
 #include "app/io/text.h"
 
 namespace pupflow::io {

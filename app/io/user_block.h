@@ -11,6 +11,9 @@ namespace pupflow::io {
 
 inline constexpr std::size_t kUserBlock = 512;
 
+/// The first bytes of HDF5's own, at the beginning of a file or behind its block.
+inline constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1a\n";
+
 /// Larger files are not read as a whole to find their checksum.
 inline constexpr std::uint64_t kLargestChecked = std::uint64_t{1} << 30;
 

@@ -266,6 +266,27 @@ TEST(Recording, NumbersOfAnUnfinishedOneHaveChecksumsOfTheirOwn) {
   }
 }
 
+TEST(Recording, ADamagedUnfinishedOneIsRefusedAtOnce) {
+  // HDF5 reads what has a wrong checksum again, as long as it is told: the test would time out.
+  const test::Scratch scratch;
+  const Recorded was(scratch.path("r.h5"), small(), "tb", 3);
+  std::string bytes = test::contents(scratch.path("r.h5"));
+  const std::string block = block_text({"recording", {}, {}});
+  bytes.replace(0, block.size(), block);
+  int refused = 0;
+  for (std::size_t i = kUserBlock; i < bytes.size(); i += 499) {
+    const char good = bytes[i];
+    bytes[i] = static_cast<char>(~good);
+    try {
+      const RecordedRun run(scratch.file("u.h5", bytes));
+    } catch (const Failure&) {
+      ++refused;
+    }
+    bytes[i] = good;
+  }
+  EXPECT_GT(refused, 5);
+}
+
 TEST(Recording, CannotGoToAPipe) {
   const auto to_device = [] {
     const Recording r("/dev/null", true, small(), provenance(small()), {});

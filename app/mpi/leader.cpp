@@ -32,6 +32,12 @@ Leader::Leader(const RankInfo& self) : self_(self), timer_(self.lost_after, Cloc
 }
 
 Leader::~Leader() {
+  Leader::release();
+}
+
+void Leader::release() {
+  if (released_) return;
+  released_ = true;
   try {
     stop_workers();
   } catch (const std::exception& error) {

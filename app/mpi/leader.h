@@ -15,7 +15,6 @@ class Leader : public study::Executor {
  public:
   explicit Leader(const RankInfo& self);
 
-  /// Stops the other ranks. Does not wait for lost ones.
   ~Leader() override;
 
   /// Waits until every rank has said hello or is lost. Throws io::Failure(bad_input) if the command
@@ -25,6 +24,9 @@ class Leader : public study::Executor {
   void compute(std::int64_t count, const std::function<Params(std::int64_t)>& params_of,
                const std::function<void(std::int64_t, const RunResult&)>& deliver,
                const std::function<bool()>& stop, std::int64_t series_every) override;
+
+  /// Stops the other ranks, once; the destructor does it, too. Does not wait for lost ones.
+  void release() override;
 
  private:
   struct Peer {  // another rank
@@ -58,6 +60,7 @@ class Leader : public study::Executor {
   Mailbox mailbox_;
   std::vector<Peer> peers_;  // by rank; the first is this rank's and is not used
   HeartbeatTimer timer_;
+  bool released_ = false;
   std::string refusal_;  // why the job cannot start; empty if it can
 };
 

@@ -100,6 +100,7 @@ SweepResult run_sweep(const SweepJob& job) {
     rows.clear();
     for (const std::int64_t run : job.design.own_runs()) rows.push_back(journal.rows().at(run));
   }
+  if (job.executor) job.executor->release();
   const std::int64_t resumed = static_cast<std::int64_t>(rows.size()) - computed;
   SweepResult result = write_results(job.folder, job.design, std::move(rows), job.plot_script);
   result.resumed = resumed;

@@ -72,14 +72,14 @@ TEST_F(Killed, TwoAtOnceDoNoDamage) {
 
 TEST_F(Killed, AnEndedProcessHoldsNoFolder) {
   expect(0, sweep("other", 1));
-  Running program(PUPFLOW_PROGRAM, sweep("s", 50), scratch_.folder().string());
+  Running program(PUPFLOW_PROGRAM, sweep("s", 20), scratch_.folder().string());
   while (!std::filesystem::exists(path("s/journal.csv")))
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_THAT(expect(4, sweep("s", 50)), HasSubstr("another process"));
+  EXPECT_THAT(expect(4, sweep("s", 20)), HasSubstr("another process"));
   EXPECT_THAT(expect(4, {"merge", "other", "--out", "s"}), HasSubstr("another process"));
   program.signal(SIGKILL);
   program.wait();
-  expect(0, sweep("s", 50));
+  expect(0, sweep("s", 20));
   EXPECT_FALSE(std::filesystem::exists(path("s/sweep.lock")));
 }
 

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <new>
 #include <sstream>
 
 #include "app/io/atomic_file.h"
@@ -36,7 +37,11 @@ struct Temporary {
   }
   ~Temporary() {
     std::error_code ignored;
-    fs::remove_all(path, ignored);
+    try {
+      fs::remove_all(path, ignored);
+    } catch (const std::bad_alloc&) {
+      // the folder stays behind
+    }
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;

@@ -77,7 +77,7 @@ TEST(Load, TenThousandRunsInOneProcess) {
           params.pups = 1 + static_cast<int>(run % 7);
           return params;
         },
-        [&](std::int64_t, const RunResult& result) { done += result.steps_done > 0 ? 1 : 0; },
+        [&](std::int64_t, const RunResult& result) { done += result.steps > 0 ? 1 : 0; },
         [] { return false; }, 2);
     EXPECT_EQ(done, count);
   };

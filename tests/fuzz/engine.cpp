@@ -1,7 +1,8 @@
 // The engine: sound parameters, a schedule and a disturbed litter, 50 steps. Invariant: after each step
-// every position, temperature and heading is finite, or the status says in one line that and where one is not, and no further step
-// changes anything. Each instruction set gives the same bits, and so does a run that goes on from a
-// snapshot. Builds with assertions check what must hold between stages (engine/invariants.h), too.
+// every position, temperature and heading is finite, or the status says in one line that and where one
+// is not, and no further step changes anything. Each instruction set gives the same bits, and so does a
+// run that goes on from a snapshot. Builds with assertions check what must hold between stages
+// (engine/invariants.h), too.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -14,6 +14,7 @@
 #include "app/view/canvas.h"
 #include "app/view/color_bar.h"
 #include "app/view/framing.h"
+#include "app/view/mark_painter.h"
 #include "app/view/text.h"
 #include "pupflow/ensemble.h"
 
@@ -29,7 +30,7 @@ std::vector<Simulation> litters(const Figure1Job& job) {
   for (const double ta : job.ta) {
     Params params = job.params;
     params.ambient_temperature = ta;
-    list.push_back(observed_litter(params, *job.look.scale.field));
+    list.push_back(observed_litter(params, job.look.parts()));
   }
   return list;
 }
@@ -106,7 +107,27 @@ view::ColorScale common_scale(const Look& look, const std::vector<Simulation>& l
     const std::vector<double> values = look.scale.field->values(litter);
     all.insert(all.end(), values.begin(), values.end());
   }
-  return look.scale.fitted(all);
+  return look.scale.fitted(all, litters.front().params().preferred_temperature);
+}
+
+/// One litter, from above.
+io::Image panel(const Figure1Job& job, const Simulation& simulation, const view::ColorScale& scale,
+                const view::Box& box, gl::Renderer& renderer, view::TextPainter& text) {
+  const LitterView litter = simulation.view();
+  const view::Camera camera = view::framed(view::Camera::parse("top"), litter.params, 1);
+  view::DrawList list;
+  list.update(litter, scale, camera,
+              {.draw = job.look.draw,
+               .quality = job.look.quality,
+               .rows = box.height * job.look.samples()});
+  renderer.upload(list);
+  io::Image scene = renderer.picture(camera, box.width, box.height, job.look.samples());
+  view::Marks marks;
+  add_scale_bar(marks, litter.params.arena_radius, camera);
+  job.look.overlays.draw({litter, scale, centres_of(litter), view::Trails()}, marks);
+  const view::Projection projection(camera, list.bounds(), scene.width, scene.height);
+  view::paint_marks(scene, text, marks, projection);
+  return scene;
 }
 
 io::Image compose(const Figure1Job& job, const std::vector<Simulation>& litters,
@@ -115,14 +136,9 @@ io::Image compose(const Figure1Job& job, const std::vector<Simulation>& litters,
   io::Image figure(layout.width(), layout.height());
   view::fill(figure, {0, 0, figure.width, figure.height}, kPaper);
   view::TextPainter text;
-  view::DrawList list;
   for (std::size_t i = 0; i < litters.size(); ++i) {
     const view::Box box = layout.panel_box(static_cast<int>(i));
-    const view::Camera camera = view::framed(view::Camera::parse("top"), litters[i].params(), 1);
-    list.update(litters[i], scale, camera);
-    renderer.upload(list);
-    view::blit(figure, renderer.picture(camera, box.width, box.height, job.look.supersample), box.x,
-               box.y);
+    view::blit(figure, panel(job, litters[i], scale, box, renderer, text), box.x, box.y);
     text.draw(figure, box.x + box.width / 2.0, box.y - 0.45 * layout.text,
               view::symbol("T", "a") +
                   (" = " + view::tick_label(litters[i].params().ambient_temperature)),
@@ -138,7 +154,7 @@ io::Image compose(const Figure1Job& job, const std::vector<Simulation>& litters,
 }  // namespace
 
 void figure1(const Figure1Job& job) {
-  check_samples(job.look.supersample);
+  check_samples(job.look.samples());
   if (job.panel < kSmallestPanel || job.panel > kLargestPanel) {
     throw io::Failure(io::ExitCode::bad_input, "a panel's edge must be " +
                                                    std::to_string(kSmallestPanel) + " ... " +
@@ -155,10 +171,10 @@ void figure1(const Figure1Job& job) {
   const view::ColorScale scale = common_scale(job.look, list);
   const std::string hashes =
       io::joined(list, ",", [](const Simulation& litter) { return io::hash_text(litter.hash()); });
-  io::TextEntries extra = look_entries(scale, job.look.supersample);
+  io::TextEntries extra = look_entries(job.look, scale);
   extra.insert(extra.begin(), {{"picture", "figure1"}, {"panels_ta", panels}, {"hash", hashes}});
   io::write_png(job.output.path, compose(job, list, scale, *headless.renderer),
-                io::provenance(job.params, extra), job.output.force);
+                io::provenance(job.params, extra), job.output.force, png_options(job.look));
 }
 
 }  // namespace pupflow::pictures

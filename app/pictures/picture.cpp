@@ -9,6 +9,7 @@
 #include "app/io/failure.h"
 #include "app/io/text.h"
 #include "app/view/canvas.h"
+#include "app/view/mark_painter.h"
 
 namespace pupflow::pictures {
 
@@ -16,6 +17,19 @@ namespace {
 
 std::string limits(int least, int most) {
   return std::to_string(least) + " ... " + std::to_string(most);
+}
+
+/// Pictures of fewer pixels from top to bottom have no words in the scene.
+constexpr int kLeastForWords = 160;
+
+view::TextLine caption_of(const LitterView& litter, const Look& look) {
+  const Params& params = litter.params;
+  view::TextLine caption = view::symbol("T", "a");
+  const std::string label(look.scale.field->label);
+  return caption + (" = " + view::tick_label(params.ambient_temperature) + ", " +
+                    io::formatted("%.2f", litter.time) + " s, seed " +
+                    std::to_string(params.seed) + ", " + std::to_string(litter.pups) +
+                    (litter.pups == 1 ? " pup, " : " pups, ") + "color: " + label);
 }
 
 }  // namespace
@@ -30,14 +44,14 @@ Headless::Headless(const Look& look) {
   renderer = std::make_unique<gl::Renderer>(look.shader_dir);
 }
 
-Simulation observed_litter(const Params& params, const Field& field) {
+Simulation observed_litter(const Params& params, PartSet parts) {
   std::string problems;
   for (const Problem& problem : check(params)) {
     problems += (problems.empty() ? "" : "; ") + problem.message;
   }
   if (!problems.empty()) io::refuse(problems);
   Simulation simulation(params);
-  simulation.set_observed(field.parts);
+  simulation.set_observed(parts);
   return simulation;
 }
 
@@ -45,12 +59,12 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
     : width_(width),
       height_(height),
       bar_(bar),
-      scale_(look.scale),
-      supersample_(look.supersample),
+      look_(look),
       style_{.text_size = std::clamp(height / 48.0, 9.0, 64.0)},
       margins_(view::color_bar_margins(look.scale, style_)),
-      bar_width_(static_cast<int>(std::lround(1.3 * style_.text_size))) {
-  check_samples(supersample_);
+      bar_width_(static_cast<int>(std::lround(1.3 * style_.text_size))),
+      trails_(look.trail) {
+  check_samples(look.samples());
   for (const int side : {width, height}) {
     if (side >= kSmallestSide && side <= kLargestSide) continue;
     io::refuse("a picture's sides must be " + limits(kSmallestSide, kLargestSide) +
@@ -64,17 +78,60 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
   }
 }
 
+void Picture::watch(const LitterView& litter) {
+  if (look_.overlays.has("trails")) trails_.add(litter);
+}
+
+view::ColorScale Picture::scale_for(const LitterView& litter) {
+  constexpr double kEasing = 0.5;  // model seconds
+  const std::vector<double> values = look_.scale.field->values(litter);
+  view::ColorScale scale = look_.scale.fitted(values, litter.params.preferred_temperature);
+  if (shown_ && litter.time >= shown_at_) {
+    scale = scale.eased(*shown_, 1 - std::exp((shown_at_ - litter.time) / kEasing));
+  }
+  shown_ = scale;
+  shown_at_ = litter.time;
+  return scale;
+}
+
 io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
                         const view::Camera& camera) {
-  list_.update(litter, scale_, camera);
+  const view::Drawing drawing{.draw = look_.draw,
+                              .quality = look_.quality,
+                              .rows = height_ * look_.samples()};
+  list_.update(litter, scale_for(litter), camera, drawing);
   renderer.upload(list_);
-  io::Image scene = renderer.picture(camera, scene_width_, height_, supersample_);
+  gl::Palette palette;
+  palette.transparent = look_.transparent;
+  io::Image scene = renderer.picture(camera, scene_width_, height_, look_.samples(), palette);
+  if (look_.transparent) unmultiply(scene);
+  add_overlays(scene, litter, camera);
   return bar_ ? with_legend(scene, litter.params.preferred_temperature) : scene;
+}
+
+void Picture::add_overlays(io::Image& scene, const LitterView& litter, const view::Camera& camera) {
+  marks_.clear();
+  if (look_.quality != view::Quality::fast) {
+    add_scale_bar(marks_, litter.params.arena_radius, camera);
+  }
+  watch(litter);
+  look_.overlays.draw({litter, list_.scale(), centres_of(litter), trails_}, marks_);
+  const view::Projection projection(camera, list_.bounds(), scene.width, scene.height);
+  view::paint_marks(scene, text_, marks_, projection);
+  if (height_ < kLeastForWords) return;
+  const double size = style_.text_size;
+  view::paint_legend(scene, text_, marks_.legend, 0.8 * size, 0.8 * size, size);
+  if (look_.caption) {
+    view::paint_label(scene, text_, 0.8 * size, height_ - 0.8 * size, caption_of(litter, look_),
+                      size, style_.ink);
+  }
 }
 
 io::Image Picture::with_legend(const io::Image& scene, double tp) {
   io::Image picture(width_, height_);
-  view::fill(picture, {0, 0, width_, height_}, gl::Palette{}.background);
+  if (!look_.transparent) {
+    view::fill(picture, {0, 0, width_, height_}, gl::Palette{}.background);
+  }
   view::blit(picture, scene, 0, 0);
   const int inset = height_ / 8;
   const view::Box bar{scene_width_ + margins_.left, inset, bar_width_, height_ - 2 * inset};
@@ -85,7 +142,7 @@ io::Image Picture::with_legend(const io::Image& scene, double tp) {
 }
 
 io::TextEntries Picture::look_entries() const {
-  return pictures::look_entries(list_.scale(), supersample_);
+  return pictures::look_entries(look_, list_.scale());
 }
 
 void check_samples(int supersample) {
@@ -94,14 +151,68 @@ void check_samples(int supersample) {
              std::to_string(supersample));
 }
 
-io::TextEntries look_entries(const view::ColorScale& scale, int supersample) {
+io::TextEntries look_entries(const Look& look, const view::ColorScale& scale) {
   io::TextEntries entries{{"color_by", std::string(scale.field->name)}};
   if (!scale.categorical()) {
     entries.emplace_back("colormap", scale.map_name);
     entries.emplace_back("scale", io::number_text(scale.min) + "," + io::number_text(scale.max));
   }
-  entries.emplace_back("supersample", std::to_string(supersample));
+  entries.emplace_back("draw", view::name_of(look.draw));
+  entries.emplace_back("quality", view::name_of(look.quality));
+  entries.emplace_back("supersample", std::to_string(look.samples()));
+  if (!look.overlays.empty()) {
+    entries.emplace_back("overlay", look.overlays.names());
+    entries.emplace_back("trail", io::number_text(look.trail));
+  }
+  if (look.caption) entries.emplace_back("caption", "true");
+  if (look.transparent) entries.emplace_back("transparent", "true");
+  if (look.dpi > 0) entries.emplace_back("dpi", std::to_string(look.dpi));
   return entries;
+}
+
+io::TextEntries camera_entries(const view::Camera& camera) {
+  io::TextEntries entries{{"camera", camera.spec()}};
+  if (camera.moved() || camera.targeted()) {
+    const Eigen::Vector3d& target = camera.target();
+    entries.emplace_back("camera_target", io::number_text(target.x()) + ',' +
+                                              io::number_text(target.y()) + ',' +
+                                              io::number_text(target.z()));
+  }
+  return entries;
+}
+
+io::PngOptions png_options(const Look& look) {
+  return {.alpha = look.transparent, .dpi = look.dpi};
+}
+
+void unmultiply(io::Image& scene) {
+  for (std::size_t i = 0; i < scene.rgba.size(); i += 4) {
+    const int alpha = scene.rgba[i + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t c = i; c < i + 3; ++c) {
+      scene.rgba[c] = static_cast<std::uint8_t>(std::min(255, scene.rgba[c] * 255 / alpha));
+    }
+  }
+}
+
+void add_scale_bar(view::Marks& marks, double arena_radius, const view::Camera& camera) {
+  constexpr double kLength = 0.5, kPlace = 0.9;  // arena units; in arena radii
+  Eigen::Vector3d nearer = camera.backward();
+  if (camera.elevation() > 1.5) nearer = -camera.up();
+  nearer.z() = 0;
+  if (nearer.norm() < 1e-9 || camera.elevation() <= 0) return;
+  const Eigen::Vector3d middle = kPlace * arena_radius * nearer.normalized();
+  const Eigen::Vector3d half = kLength / 2 * camera.right();
+  const view::Ink ink{{70, 76, 84}};
+  marks.marks.emplace_back(view::Segment{middle - half, middle + half, 3, ink});
+  marks.marks.emplace_back(
+      view::Label{middle + 0.045 * arena_radius * nearer.normalized(), {{"0.5"}}, 14, ink});
+}
+
+std::vector<Eigen::Vector3d> centres_of(const LitterView& litter) {
+  std::vector<Eigen::Vector3d> centres;
+  for (int pup = 0; pup < litter.pups; ++pup) centres.push_back(litter.positions.mean(pup));
+  return centres;
 }
 
 }  // namespace pupflow::pictures

@@ -138,7 +138,8 @@ void LiveWindow::observe(bool observed) {
 /// After the panels, which may have chosen another field.
 void LiveWindow::fit_scale() {
   const view::ColorScale& wanted = controls_.look.scale;
-  scale_ = wanted.fitted(wanted.field->values(runner_.snapshot().view()));
+  const LitterView litter = runner_.snapshot().view();
+  scale_ = wanted.fitted(wanted.field->values(litter), litter.params.preferred_temperature);
 }
 
 void LiveWindow::paint(const Layout& layout) {
@@ -149,7 +150,7 @@ void LiveWindow::paint(const Layout& layout) {
   glfwGetFramebufferSize(window_.handle(), &width, &height);
   const int x = pixels(layout.arena.corner.x);
   const int arena_width = std::min(pixels(layout.arena.size.x), width - x);
-  const int samples = schedule_.samples(controls_.look.supersample);
+  const int samples = schedule_.samples(controls_.look.samples());
   arena_.draw(runner_.snapshot(), schedule_.fresh(), scale_, std::max(arena_width, 1),
               std::max(height, 1), samples);
   clear(gl::Palette{}.background);

@@ -8,6 +8,7 @@ uniform float outer_radius;
 uniform vec3 floor_color;
 uniform vec3 slab_color;
 uniform float spacing;    // of the grid; 0: none
+uniform float line_width;  // samples
 uniform float grid_shade;  // brightness of its lines
 uniform bool lit;
 uniform sampler2D light;  // over the square around the floor
@@ -22,7 +23,8 @@ void main() {
   vec3 color = floor_color;
   if (spacing > 0.0) {
     vec2 from_line = abs(fract(place / spacing + 0.5) - 0.5) * spacing;
-    vec2 line = clamp(1.0 - from_line / pixels, 0.0, 1.0) * clamp(2.0 - 8.0 * pixels / spacing, 0.0, 1.0);
+    vec2 line = clamp(0.5 * line_width + 0.5 - from_line / pixels, 0.0, 1.0) *
+                clamp(2.0 - 8.0 * line_width * pixels / spacing, 0.0, 1.0);
     color *= mix(1.0, grid_shade, max(line.x, line.y));
   }
   if (lit) color *= texture(light, place / (2.0 * floor_radius) + 0.5).r;

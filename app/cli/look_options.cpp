@@ -21,7 +21,8 @@ void take_scale(const std::string& text, view::ColorScale& scale) {
   if (text == "field") return scale.set_ends(view::Ends::field);
   const std::vector<double> ends = parse_numbers("--scale", text);
   if (ends.size() != 2 || !(ends[0] < ends[1])) {
-    io::refuse("--scale " + text + ": must be auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1");
+    io::refuse("--scale " + text +
+               ": must be auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1");
   }
   scale.set_range(ends[0], ends[1]);
 }
@@ -78,11 +79,12 @@ void add_look(CLI::App& verb, LookOptions& options, bool automatic) {
                   "T_p, phase for angles)")
       ->option_text(io::joined(view::colormap_names(), "|"))
       ->check(not_empty);
-  verb.add_option("--scale", options.scale,
-                  std::string("Values at the ends of the color scale. auto: the middle 90 % of what "
-                              "is seen; around-tp: T_p in the middle; field: the field's range, for "
-                              "body temperature 0,1 (default ") +
-                      (automatic ? "auto" : "field") + ")")
+  verb.add_option(
+          "--scale", options.scale,
+          std::string("Values at the ends of the color scale. auto: the middle 90 % of what "
+                      "is seen; around-tp: T_p in the middle; field: the field's range, for "
+                      "body temperature 0,1 (default ") +
+              (automatic ? "auto" : "field") + ")")
       ->option_text(kScales)
       ->check(not_empty);
   verb.add_option("--draw", options.draw,
@@ -165,17 +167,17 @@ pictures::Look look_of(const LookOptions& options) {
     throw io::Failure(io::ExitCode::bad_file,
                       "--shader-dir " + options.shader_dir + ": is no folder");
   }
-  pictures::Look look{
-      .scale = scale_of(options),
-      .draw = named<view::Draw>(view::kDrawNames, "--draw", options.draw),
-      .quality = named<view::Quality>(view::kQualityNames, "--quality", options.quality),
-      .trail = options.trail,
-      .caption = options.caption,
-      .transparent = options.transparent,
-      .dpi = options.dpi,
-      .shader_dir = options.shader_dir,
-      .supersample = options.supersample,
-      .verbose = options.verbose};
+  pictures::Look look;
+  look.scale = scale_of(options);
+  look.draw = named<view::Draw>(view::kDrawNames, "--draw", options.draw);
+  look.quality = named<view::Quality>(view::kQualityNames, "--quality", options.quality);
+  look.trail = options.trail;
+  look.caption = options.caption;
+  look.transparent = options.transparent;
+  look.dpi = options.dpi;
+  look.shader_dir = options.shader_dir;
+  look.supersample = options.supersample;
+  look.verbose = options.verbose;
   if (look.dpi < 0 || look.dpi > pictures::kMostDpi || !(look.trail > 0) ||
       look.trail > pictures::kLongestTrail) {
     io::refuse("the picture of --like names no sound dpi or trail");

@@ -159,9 +159,10 @@ Verb add_render(CLI::App& program) {
                   "(default " +
                       options->camera + ")")
       ->option_text("CAMERA");
-  app->add_option("--target", options->target,
-                  "The place in the middle of the picture, in arena units (default: where the arena "
-                  "fills it)")
+  app->add_option(
+         "--target", options->target,
+         "The place in the middle of the picture, in arena units (default: where the arena "
+         "fills it)")
       ->option_text("X,Y,Z")
       ->check(not_empty);
   app->add_option("--follow", options->follow, "Keep this pup in the middle of the picture")

@@ -8,19 +8,19 @@
 #include "app/io/failure.h"
 
 // The embedded files: name, and the symbol that CMake gives it.
-#define PUPFLOW_SHADERS(X)                   \
-  X("spheres.vert", spheres_vert)            \
-  X("spheres.frag", spheres_frag)            \
-  X("sphere_edges.frag", sphere_edges_frag)  \
-  X("skin.vert", skin_vert)                  \
-  X("skin.frag", skin_frag)                  \
-  X("plane.vert", plane_vert)                \
-  X("plane.frag", plane_frag)                \
-  X("wall.vert", wall_vert)                  \
-  X("wall.frag", wall_frag)                  \
-  X("rim.vert", rim_vert)                    \
-  X("rim.frag", rim_frag)                    \
-  X("resolve.vert", resolve_vert)            \
+#define PUPFLOW_SHADERS(X)                  \
+  X("spheres.vert", spheres_vert)           \
+  X("spheres.frag", spheres_frag)           \
+  X("sphere_edges.frag", sphere_edges_frag) \
+  X("skin.vert", skin_vert)                 \
+  X("skin.frag", skin_frag)                 \
+  X("plane.vert", plane_vert)               \
+  X("plane.frag", plane_frag)               \
+  X("wall.vert", wall_vert)                 \
+  X("wall.frag", wall_frag)                 \
+  X("rim.vert", rim_vert)                   \
+  X("rim.frag", rim_frag)                   \
+  X("resolve.vert", resolve_vert)           \
   X("resolve.frag", resolve_frag)
 
 #define PUPFLOW_DECLARE(file, symbol)                      \
@@ -110,10 +110,9 @@ GLuint link(const Source& vertex, const Source& fragment) {
 }  // namespace
 
 std::string_view embedded_shader(std::string_view file) {
-#define PUPFLOW_ENTRY(name, symbol)                                              \
+#define PUPFLOW_ENTRY(name, symbol) \
   {name, {pupflow_shader_##symbol##_begin, pupflow_shader_##symbol##_end}},
-  static const std::map<std::string_view, std::string_view> shaders{
-      PUPFLOW_SHADERS(PUPFLOW_ENTRY)};
+  static const std::map<std::string_view, std::string_view> shaders{PUPFLOW_SHADERS(PUPFLOW_ENTRY)};
 #undef PUPFLOW_ENTRY
   return shaders.at(file);
 }

@@ -10,9 +10,9 @@ namespace {
 // Brightness at a sphere's outline. Its middle has exactly the color of its point.
 constexpr float kEdgeShade = 0.8f;
 constexpr GLint kWallSegments = 256, kPlaneSegments = 32;
-constexpr float kGridSpacing = 0.5f, kGridShade = 0.93f;  // arena units; brightness of the lines
-constexpr int kMostLines = 80;                            // of a grid across the floor
-constexpr float kRimWidth = 1.4f;                         // pixels
+constexpr float kGridShade = 0.93f;  // brightness of the lines
+constexpr int kMostLines = 80;       // of a grid across the floor
+constexpr float kRimWidth = 1.4f;    // pixels
 
 void set_color(const Program& program, const char* name, view::Rgb color) {
   glUniform3f(program.uniform(name), static_cast<float>(color.r) / 255,
@@ -185,8 +185,10 @@ void Renderer::draw_scene(const view::Camera& camera, const Viewport& viewport,
   glDepthMask(GL_FALSE);
   draw_soft_edges(matrices);
   draw_wall(matrices, arena_radius_, 0, wall_height_, palette.glass, true);
-  draw_rim(matrices, viewport, 0, 0.5f, palette.rim);
-  draw_rim(matrices, viewport, wall_height_, 1, palette.rim);
+  const float bottom = -view::kSlabDepth * arena_radius_;
+  draw_rim(matrices, viewport, outside, bottom, 0.6f, palette.rim);
+  draw_rim(matrices, viewport, arena_radius_, 0, 0.5f, palette.rim);
+  draw_rim(matrices, viewport, arena_radius_, wall_height_, 1, palette.rim);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
@@ -203,6 +205,7 @@ void Renderer::draw_floor(const view::CameraMatrices& matrices, bool from_below,
   glUniform1f(plane_program_.uniform("floor_radius"), arena_radius_);
   glUniform1f(plane_program_.uniform("outer_radius"), outside);
   glUniform1f(plane_program_.uniform("spacing"), grid ? kGridSpacing : 0);
+  glUniform1f(plane_program_.uniform("line_width"), line_scale_);
   glUniform1f(plane_program_.uniform("grid_shade"), kGridShade);
   glUniform1i(plane_program_.uniform("lit"), lit_ && !from_below ? 1 : 0);
   glUniform1i(plane_program_.uniform("light"), 0);
@@ -227,10 +230,10 @@ void Renderer::draw_wall(const view::CameraMatrices& matrices, float radius, flo
 }
 
 void Renderer::draw_rim(const view::CameraMatrices& matrices, const Viewport& viewport,
-                        float height, float opacity, view::Rgb color) {
+                        float radius, float height, float opacity, view::Rgb color) {
   set_camera(rim_program_, matrices);
   set_color(rim_program_, "color", color);
-  glUniform1f(rim_program_.uniform("radius"), arena_radius_);
+  glUniform1f(rim_program_.uniform("radius"), radius);
   glUniform1f(rim_program_.uniform("height"), height);
   glUniform1f(rim_program_.uniform("opacity"), opacity);
   glUniform1f(rim_program_.uniform("half_width"), kRimWidth / 2 * line_scale_ + 0.5f);

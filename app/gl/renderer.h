@@ -18,6 +18,9 @@ struct Viewport {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
+/// Of the grid on the floor, arena units.
+constexpr float kGridSpacing = 0.5f;
+
 /// Colors of what is no pup.
 struct Palette {
   view::Rgb background{255, 255, 255};
@@ -65,8 +68,8 @@ class Renderer {
   void draw_soft_edges(const view::CameraMatrices& matrices);
   void draw_wall(const view::CameraMatrices& matrices, float radius, float bottom, float top,
                  view::Rgb color, bool glass);
-  void draw_rim(const view::CameraMatrices& matrices, const Viewport& viewport, float height,
-                float opacity, view::Rgb color);
+  void draw_rim(const view::CameraMatrices& matrices, const Viewport& viewport, float radius,
+                float height, float opacity, view::Rgb color);
 
   Program spheres_program_, sphere_edges_program_, skin_program_, plane_program_, wall_program_,
       rim_program_, resolve_program_;

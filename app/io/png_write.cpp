@@ -110,8 +110,8 @@ void write_png(const std::string& path, const Image& image, const TextEntries& t
   Sink sink;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, note_error, note_warning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
-  const bool done = info && encode(png, info, sink, image, options.alpha ? image.rgba.data() : rgb.data(),
-                                   chunks, options);
+  const bool done = info && encode(png, info, sink, image,
+                                   options.alpha ? image.rgba.data() : rgb.data(), chunks, options);
   png_destroy_write_struct(&png, &info);
   if (!done) throw Failure(ExitCode::bad_file, path + ": cannot write PNG: " + sink.error);
   file.write(sink.bytes);

@@ -112,7 +112,8 @@ view::ColorScale common_scale(const Look& look, const std::vector<Simulation>& l
 
 /// One litter, from above.
 io::Image panel(const Figure1Job& job, const Simulation& simulation, const view::ColorScale& scale,
-                const view::Box& box, gl::Renderer& renderer, view::TextPainter& text) {
+                const view::Box& box, gl::Renderer& renderer, view::TextPainter& text,
+                double size) {
   const LitterView litter = simulation.view();
   const view::Camera camera = view::framed(view::Camera::parse("top"), litter.params, 1);
   view::DrawList list;
@@ -123,10 +124,10 @@ io::Image panel(const Figure1Job& job, const Simulation& simulation, const view:
   renderer.upload(list);
   io::Image scene = renderer.picture(camera, box.width, box.height, job.look.samples());
   view::Marks marks;
-  add_scale_bar(marks, litter.params.arena_radius, camera);
   job.look.overlays.draw({litter, scale, centres_of(litter), view::Trails()}, marks);
-  const view::Projection projection(camera, list.bounds(), scene.width, scene.height);
+  const view::Projection projection(camera, list.bounds(), scene.width, scene.height, list.balls());
   view::paint_marks(scene, text, marks, projection);
+  paint_scale_bar(scene, text, camera, size, kInk);
   return scene;
 }
 
@@ -138,7 +139,9 @@ io::Image compose(const Figure1Job& job, const std::vector<Simulation>& litters,
   view::TextPainter text;
   for (std::size_t i = 0; i < litters.size(); ++i) {
     const view::Box box = layout.panel_box(static_cast<int>(i));
-    view::blit(figure, panel(job, litters[i], scale, box, renderer, text), box.x, box.y);
+    view::blit(figure,
+               panel(job, litters[i], scale, box, renderer, text, layout.bar_style.text_size),
+               box.x, box.y);
     text.draw(figure, box.x + box.width / 2.0, box.y - 0.45 * layout.text,
               view::symbol("T", "a") +
                   (" = " + view::tick_label(litters[i].params().ambient_temperature)),

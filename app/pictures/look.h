@@ -31,7 +31,7 @@ struct Look {
   int supersample = 0;       // n x n samples per pixel; 0: those of the quality
   bool verbose = false;      // print which context and renderer were chosen
 
-  int samples() const { return supersample > 0 ? supersample : view::usual_samples(quality); }
+  int samples() const { return supersample != 0 ? supersample : view::usual_samples(quality); }
 
   /// What a step must record for the colors and overlays.
   PartSet parts() const { return scale.field->parts | overlays.parts(); }

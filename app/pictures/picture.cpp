@@ -27,9 +27,9 @@ view::TextLine caption_of(const LitterView& litter, const Look& look) {
   view::TextLine caption = view::symbol("T", "a");
   const std::string label(look.scale.field->label);
   return caption + (" = " + view::tick_label(params.ambient_temperature) + ", " +
-                    io::formatted("%.2f", litter.time) + " s, seed " +
-                    std::to_string(params.seed) + ", " + std::to_string(litter.pups) +
-                    (litter.pups == 1 ? " pup, " : " pups, ") + "color: " + label);
+                    io::formatted("%.2f", litter.time) + " s, seed " + std::to_string(params.seed) +
+                    ", " + std::to_string(litter.pups) + (litter.pups == 1 ? " pup, " : " pups, ") +
+                    "color: " + label);
 }
 
 }  // namespace
@@ -96,9 +96,8 @@ view::ColorScale Picture::scale_for(const LitterView& litter) {
 
 io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
                         const view::Camera& camera) {
-  const view::Drawing drawing{.draw = look_.draw,
-                              .quality = look_.quality,
-                              .rows = height_ * look_.samples()};
+  const view::Drawing drawing{
+      .draw = look_.draw, .quality = look_.quality, .rows = height_ * look_.samples()};
   list_.update(litter, scale_for(litter), camera, drawing);
   renderer.upload(list_);
   gl::Palette palette;
@@ -111,16 +110,15 @@ io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
 
 void Picture::add_overlays(io::Image& scene, const LitterView& litter, const view::Camera& camera) {
   marks_.clear();
-  if (look_.quality != view::Quality::fast) {
-    add_scale_bar(marks_, litter.params.arena_radius, camera);
-  }
   watch(litter);
   look_.overlays.draw({litter, list_.scale(), centres_of(litter), trails_}, marks_);
-  const view::Projection projection(camera, list_.bounds(), scene.width, scene.height);
+  const view::Projection projection(camera, list_.bounds(), scene.width, scene.height,
+                                    list_.balls());
   view::paint_marks(scene, text_, marks_, projection);
   if (height_ < kLeastForWords) return;
   const double size = style_.text_size;
   view::paint_legend(scene, text_, marks_.legend, 0.8 * size, 0.8 * size, size);
+  paint_scale_bar(scene, text_, camera, size, style_.ink);
   if (look_.caption) {
     view::paint_label(scene, text_, 0.8 * size, height_ - 0.8 * size, caption_of(litter, look_),
                       size, style_.ink);
@@ -195,18 +193,22 @@ void unmultiply(io::Image& scene) {
   }
 }
 
-void add_scale_bar(view::Marks& marks, double arena_radius, const view::Camera& camera) {
-  constexpr double kLength = 0.5, kPlace = 0.9;  // arena units; in arena radii
-  Eigen::Vector3d nearer = camera.backward();
-  if (camera.elevation() > 1.5) nearer = -camera.up();
-  nearer.z() = 0;
-  if (nearer.norm() < 1e-9 || camera.elevation() <= 0) return;
-  const Eigen::Vector3d middle = kPlace * arena_radius * nearer.normalized();
-  const Eigen::Vector3d half = kLength / 2 * camera.right();
-  const view::Ink ink{{70, 76, 84}};
-  marks.marks.emplace_back(view::Segment{middle - half, middle + half, 3, ink});
-  marks.marks.emplace_back(
-      view::Label{middle + 0.045 * arena_radius * nearer.normalized(), {{"0.5"}}, 14, ink});
+void paint_scale_bar(io::Image& scene, view::TextPainter& text, const view::Camera& camera,
+                     double size, view::Rgb ink) {
+  const double unit = scene.height / (2 * camera.half_height());
+  double length = gl::kGridSpacing;
+  while (length * unit < 2 * size) length *= 2;
+  const double right = scene.width - 0.8 * size, left = right - length * unit;
+  const double bottom = scene.height - 0.8 * size, tick = 0.3 * size;
+  if (left < 0.8 * size || scene.height < kLeastForWords) return;
+  const auto stroke = [&](double x0, double y0, double x1, double y1) {
+    view::line(scene, Eigen::Vector2d(x0, y0), Eigen::Vector2d(x1, y1), size / 9, ink, 1);
+  };
+  stroke(left, bottom, right, bottom);
+  stroke(left, bottom - tick, left, bottom + tick);
+  stroke(right, bottom - tick, right, bottom + tick);
+  view::paint_label(scene, text, (left + right) / 2, bottom - 0.5 * size,
+                    {{view::tick_label(length)}}, size, ink, view::Align::centre);
 }
 
 std::vector<Eigen::Vector3d> centres_of(const LitterView& litter) {

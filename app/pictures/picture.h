@@ -89,8 +89,10 @@ io::PngOptions png_options(const Look& look);
 /// A scene without background, as the renderer draws it, with colors that are not premultiplied.
 void unmultiply(io::Image& scene);
 
-/// Where the scale bar lies: on the floor's edge nearest to the eye, 0.5 arena units long.
-void add_scale_bar(view::Marks& marks, double arena_radius, const view::Camera& camera);
+/// Paints a scale bar, one square of the floor's grid long where the camera's target is, into the
+/// lower right corner of a scene, with text of that size.
+void paint_scale_bar(io::Image& scene, view::TextPainter& text, const view::Camera& camera,
+                     double size, view::Rgb ink);
 
 /// The pups' centres.
 std::vector<Eigen::Vector3d> centres_of(const LitterView& litter);

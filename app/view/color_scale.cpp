@@ -14,7 +14,7 @@ namespace pupflow::view {
 namespace {
 
 constexpr int kTicks = 5;
-constexpr double kLeastWidth = 0.005;  // of a scale from the data, of the field's drawn range
+constexpr double kLeastWidth = 0.02;  // of a scale from the data, of the field's drawn range
 
 [[noreturn]] void fail(const std::string& what) {
   throw io::Failure(io::ExitCode::bad_input, what);
@@ -36,7 +36,8 @@ std::string_view usual_map(FieldKind kind) {
 
 /// The value below which a share of `known` lies; reorders it.
 double quantile(std::vector<double>& known, double share) {
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(known.size() - 1) + 0.5);
+  const auto place =
+      static_cast<std::ptrdiff_t>(share * static_cast<double>(known.size() - 1) + 0.5);
   std::ranges::nth_element(known, known.begin() + place);
   return known[static_cast<std::size_t>(place)];
 }
@@ -186,7 +187,8 @@ Rgb ColorScale::operator()(double value) const {
 
 bool ColorScale::same_as(const ColorScale& other) const {
   return field->name == other.field->name && map_name == other.map_name && min == other.min &&
-         max == other.max && unknown == other.unknown && below == other.below && above == other.above;
+         max == other.max && unknown == other.unknown && below == other.below &&
+         above == other.above;
 }
 
 double tick_spacing(double low, double high, int count, double least) {

@@ -14,10 +14,10 @@ constexpr Rgb kUnknownColor{184, 186, 189}, kNobodyColor{92, 96, 102};
 
 /// Where the ends of a scale come from.
 enum class Ends {
-  field,     // the field's drawn range; the data where it has none
-  typed,     // set_range
-  automatic, // the middle 90 % of the values: 5 to 95 %
-  around_tp  // as far from T_p, to both sides, as the automatic ends are
+  field,      // the field's drawn range; the data where it has none
+  typed,      // set_range
+  automatic,  // the middle 90 % of the values: 5 to 95 %
+  around_tp   // as far from T_p, to both sides, as the automatic ends are
 };
 
 /// Which field is shown, and the color of each of its values. A plain value.

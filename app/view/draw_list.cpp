@@ -95,8 +95,8 @@ void DrawList::update(const LitterView& litter, const ColorScale& scale, const C
   floor_ = {};
   sphere_radius_ = static_cast<float>(litter.params.point_radius);
   arena_radius_ = static_cast<float>(litter.params.arena_radius);
-  wall_height_ = std::min(static_cast<float>(litter.params.pup_radius) + sphere_radius_,
-                          0.3f * arena_radius_);
+  wall_height_ =
+      std::min(static_cast<float>(litter.params.pup_radius) + sphere_radius_, 0.3f * arena_radius_);
   const LitterField& field = *scale.field;
   const auto pups = static_cast<std::size_t>(litter.pups);
   values_.resize(pups * static_cast<std::size_t>(field.of_afferents ? litter.points : 1));
@@ -116,8 +116,10 @@ void DrawList::update(const LitterView& litter, const ColorScale& scale, const C
     const float away = backward.dot(eye - balls_[pup].centre);
     const float pixel =
         perspective ? unit * std::max(away, 0.0f) / static_cast<float>(camera.distance()) : unit;
-    const Body body{pup,      std::span(xyz_).subspan(pup * numbers, numbers),
-                    balls_[pup], eye, backward, perspective, pixel};
+    const Body body{pup,         std::span(xyz_).subspan(pup * numbers, numbers),
+                    balls_[pup], eye,
+                    backward,    perspective,
+                    pixel};
     const bool has_skin = face_points_ >= 2 && body.ball.radius > 0;
     if (has_skin && drawing.draw != Draw::points) add_skin(body, light);
     if (!has_skin || drawing.draw != Draw::skin) add_spheres(body, light);
@@ -156,12 +158,27 @@ void DrawList::find_bodies(const LitterView& litter) {
 }
 
 const SkinMesh& DrawList::mesh_for(float pixels) {
-  constexpr float kEdge = 5;  // the shortest edge worth drawing, samples
+  constexpr float kEdge = 5, kMostEdge = 9;  // of edges between vertices, samples
+  constexpr int kMostHalvings = 3;
   const float wanted = std::min(pixels * std::numbers::pi_v<float> / 2 / kEdge, 1000.0f);
   const int shown = std::clamp(static_cast<int>(std::ceil(wanted)), 2, face_points_);
-  const auto found = meshes_.find(shown);
+  int halvings = 0;
+  for (float edges = kMostEdge / kEdge * static_cast<float>(shown);
+       edges < wanted && halvings < kMostHalvings; edges *= 2) {
+    ++halvings;
+  }
+  const auto found = meshes_.find({shown, halvings});
   if (found != meshes_.end()) return found->second;
-  return meshes_.emplace(shown, skin_mesh(face_points_, shown)).first->second;
+  SkinMesh mesh = skin_mesh(face_points_, shown);
+  for (int i = 0; i < halvings; ++i) mesh = refined(mesh);
+  return meshes_.emplace(std::pair(shown, halvings), std::move(mesh)).first->second;
+}
+
+const SkinMesh& DrawList::whole_mesh() {
+  const auto found = meshes_.find({face_points_, 0});
+  if (found != meshes_.end()) return found->second;
+  return meshes_.emplace(std::pair(face_points_, 0), skin_mesh(face_points_, face_points_))
+      .first->second;
 }
 
 Rgb DrawList::color(const Body& body, std::size_t point) const {
@@ -173,8 +190,7 @@ void DrawList::add_spheres(const Body& body, const Light& light) {
   const bool cull = drawing_.culling == Culling::hidden && body.ball.radius > 0;
   const Skin skin = cull ? Skin(body.xyz, sphere_radius_, camera_) : Skin();
   const bool has_normals = face_points_ >= 2 && body.ball.radius > 0;
-  const SkinMesh* mesh = has_normals ? &mesh_for(1e6f) : nullptr;
-  if (mesh != nullptr) vertex_normals(*mesh, body.xyz, normals_);
+  if (has_normals) shape_.fit(whole_mesh(), body.xyz);
   for (std::size_t i = 0; i < body.points(); ++i) {
     const Eigen::Vector3f point = body.point(i);
     if (!point.allFinite()) continue;
@@ -183,7 +199,7 @@ void DrawList::add_spheres(const Body& body, const Light& light) {
       const Eigen::Vector3f sight = body.sight(point);
       if (normal.dot(sight) < kFacingAway * normal.norm() * sight.norm()) continue;
     }
-    Eigen::Vector3f normal = mesh != nullptr ? normals_[i] : point - body.ball.centre;
+    Eigen::Vector3f normal = has_normals ? shape_.normals[i] : point - body.ball.centre;
     if (normal.squaredNorm() < 1e-12f) normal = key_light();
     normal.normalize();
     const float brightness = light.at(body.pup, point + sphere_radius_ * normal, normal);
@@ -192,21 +208,30 @@ void DrawList::add_spheres(const Body& body, const Light& light) {
 }
 
 void DrawList::add_skin(const Body& body, const Light& light) {
-  constexpr float kSmall = 12;  // a body of fewer samples across shows no single points
+  constexpr float kChord = 0.5f;  // of the height of an arc over its chord
+  constexpr float kSmall = 12;    // a body of fewer samples across shows no single points
   const bool cells = scale_.field->of_afferents && 2 * body.ball.radius > kSmall * body.pixel;
-  const SkinMesh& mesh = mesh_for(cells ? 1e6f : body.ball.radius / body.pixel);
-  vertex_normals(mesh, body.xyz, normals_);
+  const SkinMesh& mesh = cells ? whole_mesh() : mesh_for(body.ball.radius / body.pixel);
+  shape_.fit(mesh, body.xyz);
   // The soft outline makes up for half a sample.
   const bool soft = drawing_.quality != Quality::fast;
-  const float lift = (drawing_.draw == Draw::both ? 0.5f : 1.0f) * sphere_radius_ -
+  // Edges are chords: their middles lie lower than a round body.
+  const float radius = body.ball.radius;
+  const float edge =
+      radius * std::sqrt(16 * std::numbers::pi_v<float> / std::numbers::sqrt3_v<float> /
+                         static_cast<float>(mesh.triangles.size()));
+  const float chord = kChord * edge * edge / (8 * std::max(radius, edge));
+  const float lift = (drawing_.draw == Draw::both ? 0.5f : 1.0f) * sphere_radius_ + chord -
                      (soft ? 0.5f * body.pixel : 0.0f);
   std::vector<Vertex> vertices;
   std::vector<float> brightness;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    const auto i = static_cast<std::size_t>(mesh.points[v]);
-    const Eigen::Vector3f place = body.point(i) + lift * normals_[v];
-    brightness.push_back(light.at(body.pup, place, normals_[v]));
-    vertices.push_back(lit(place, color(body, i), brightness.back()));
+  for (std::size_t v = 0; v < shape_.places.size(); ++v) {
+    const Eigen::Vector3f& normal = shape_.normals[v];
+    const Eigen::Vector3f place = shape_.places[v] + lift * normal;
+    brightness.push_back(light.at(body.pup, place, normal));
+    // Where points have colors of their own and are not shown one by one, the first one's do.
+    const std::size_t point = v < mesh.points.size() ? static_cast<std::size_t>(mesh.points[v]) : 0;
+    vertices.push_back(lit(place, color(body, point), brightness.back()));
   }
   if (soft) add_outline(body, mesh, vertices);
   if (cells) {
@@ -267,7 +292,7 @@ void DrawList::add_outline(const Body& body, const SkinMesh& mesh,
   };
   const auto outer = [&](int v) {
     const Eigen::Vector3f sight = body.sight(place(v)).normalized();
-    Eigen::Vector3f across = normals_[static_cast<std::size_t>(v)];
+    Eigen::Vector3f across = shape_.normals[static_cast<std::size_t>(v)];
     across -= across.dot(sight) * sight;
     const float length = across.norm();
     Vertex vertex = vertices[static_cast<std::size_t>(v)];
@@ -279,10 +304,10 @@ void DrawList::add_outline(const Body& body, const SkinMesh& mesh,
   for (const SkinMesh::Edge& edge : mesh.edges) {
     if (faces_eye(edge.triangle[0]) == faces_eye(edge.triangle[1])) continue;
     const auto first = static_cast<std::uint32_t>(outline_.vertices.size());
-    outline_.vertices.insert(outline_.vertices.end(),
-                             {vertices[static_cast<std::size_t>(edge.from)],
-                              vertices[static_cast<std::size_t>(edge.to)], outer(edge.from),
-                              outer(edge.to)});
+    outline_.vertices.insert(
+        outline_.vertices.end(),
+        {vertices[static_cast<std::size_t>(edge.from)], vertices[static_cast<std::size_t>(edge.to)],
+         outer(edge.from), outer(edge.to)});
     for (const std::uint32_t v : {0u, 1u, 2u, 2u, 1u, 3u}) outline_.indices.push_back(first + v);
   }
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "app/view/camera.h"
@@ -49,9 +50,10 @@ class DrawList {
 
   std::span<const Vertex> spheres() const { return spheres_; }
   const Triangles& skin() const { return skin_; }
-  const Triangles& outline() const { return outline_; }  // soft, around the skin
-  const FloorLight& floor() const { return floor_; }     // empty without shadows
-  const Drawing& drawing() const { return drawing_; }    // of the last update
+  const Triangles& outline() const { return outline_; }   // soft, around the skin
+  std::span<const Ball> balls() const { return balls_; }  // outlines of the bodies
+  const FloorLight& floor() const { return floor_; }      // empty without shadows
+  const Drawing& drawing() const { return drawing_; }     // of the last update
 
   float sphere_radius() const { return sphere_radius_; }
   float arena_radius() const { return arena_radius_; }
@@ -68,7 +70,8 @@ class DrawList {
   void add_cells(const Body& body, const SkinMesh& mesh, const std::vector<Vertex>& vertices,
                  const std::vector<float>& brightness);
   void add_outline(const Body& body, const SkinMesh& mesh, const std::vector<Vertex>& vertices);
-  const SkinMesh& mesh_for(float pixels);
+  const SkinMesh& mesh_for(float pixels);  // for a radius of so many samples
+  const SkinMesh& whole_mesh();
   Rgb color(const Body& body, std::size_t point) const;
 
   std::vector<Vertex> spheres_;
@@ -82,11 +85,11 @@ class DrawList {
   // Of the last update.
   Camera camera_;
   int face_points_ = 0;
-  std::vector<float> xyz_;      // of the litter
-  std::vector<double> values_;  // of the field that is shown
-  std::vector<Ball> balls_;     // radius 0 where a pup's numbers went bad
-  std::map<int, SkinMesh> meshes_;
-  std::vector<Eigen::Vector3f> normals_;
+  std::vector<float> xyz_;                          // of the litter
+  std::vector<double> values_;                      // of the field that is shown
+  std::vector<Ball> balls_;                         // radius 0 where a pup's numbers went bad
+  std::map<std::pair<int, int>, SkinMesh> meshes_;  // by points on an edge, and halvings
+  SkinShape shape_;
 };
 
 }  // namespace pupflow::view

@@ -12,6 +12,8 @@ constexpr float kKey = 0.62f, kSky = 0.42f, kFloor = 0.14f;
 constexpr float kCone = 35 * std::numbers::pi_v<float> / 180;
 constexpr float kLampAzimuth = 100 * std::numbers::pi_v<float> / 180;
 constexpr float kLampElevation = 60 * std::numbers::pi_v<float> / 180;
+constexpr float kLeast = 0.04f;     // of the full light: hues stay visible
+constexpr float kCrevice = 1.3f;    // how much darker than by the sky alone it is between bodies
 constexpr float kPenumbra = 0.35f;  // half-width of a soft shadow's edge, a distance away
 constexpr float kReach = 3.2f;      // between the centres of neighbours, in radii
 constexpr float kFloorReach = 3;    // of a body's shade on the floor, in radii from its middle
@@ -82,22 +84,24 @@ Light::Light(std::span<const Ball> balls, bool occlusion)
   }
 }
 
-float Light::at(std::size_t own, const Eigen::Vector3f& place, const Eigen::Vector3f& normal) const {
+float Light::at(std::size_t own, const Eigen::Vector3f& place,
+                const Eigen::Vector3f& normal) const {
   static const Eigen::Vector3f lamp = key_light();
   static const float full = full_light();
   float key = std::max(normal.dot(lamp), 0.0f), sky = 1;
   for (std::size_t i = first_[own]; i < first_[own + 1]; ++i) {
     const Ball& ball = balls_[static_cast<std::size_t>(neighbours_[i])];
     const Eigen::Vector3f away = ball.centre - place;
-    sky *= 1 - hidden_sky(away, ball.radius, normal);
+    sky *= 1 - std::min(kCrevice * hidden_sky(away, ball.radius, normal), 1.0f);
     if (key > 0) key *= left_of_key(away, ball.radius, lamp);
   }
   // A body hides from its lower side the floor's light, the more the lower it lies.
   const float radius = std::max(balls_[own].radius, 1e-6f);
   const float height = std::clamp(place.z() / radius, 0.0f, 1.0f);
-  const float light = kKey * key + sky * (kSky * (1 + normal.z()) / 2 * (0.6f + 0.4f * height) +
-                                          kFloor * (1 - normal.z()) / 2 * height);
-  return encoded(std::min(light / full, 1.0f));
+  const float light =
+      kKey * key * std::sqrt(sky) + sky * (kSky * (1 + normal.z()) / 2 * (0.6f + 0.4f * height) +
+                                           kFloor * (1 - normal.z()) / 2 * height);
+  return encoded(std::clamp(light / full, kLeast, 1.0f));
 }
 
 void Light::on_floor(float arena_radius, FloorLight& floor) const {
@@ -106,14 +110,15 @@ void Light::on_floor(float arena_radius, FloorLight& floor) const {
   for (const Ball& ball : balls_) smallest = std::min(smallest, std::max(ball.radius, 1e-3f));
   // Shades are as soft as this many texels a radius need.
   const float per_radius = balls_.size() > 100 ? 6 : 10;
-  floor.size = static_cast<int>(std::clamp(2 * arena_radius / smallest * per_radius, 16.0f, 1024.0f));
+  floor.size =
+      static_cast<int>(std::clamp(2 * arena_radius / smallest * per_radius, 16.0f, 1024.0f));
   floor.reach = arena_radius;
   const std::size_t size = static_cast<std::size_t>(floor.size);
   std::vector<float> key(size * size, 1), sky(size * size, 1);
   const float texel = 2 * arena_radius / static_cast<float>(floor.size);
   const auto index = [&](float coordinate) {
-    return static_cast<int>(std::clamp((coordinate + arena_radius) / texel, 0.0f,
-                                       static_cast<float>(floor.size)));
+    return static_cast<int>(
+        std::clamp((coordinate + arena_radius) / texel, 0.0f, static_cast<float>(floor.size)));
   };
   for (const Ball& ball : balls_) {
     const Eigen::Vector3f& centre = ball.centre;
@@ -124,13 +129,15 @@ void Light::on_floor(float arena_radius, FloorLight& floor) const {
     const Eigen::Vector2f middle = centre.head<2>() + 0.5f * shift;
     const float outside = reach + 0.5f * shift.norm();
     for (int row = index(middle.y() - outside); row < index(middle.y() + outside); ++row) {
-      for (int column = index(middle.x() - outside); column < index(middle.x() + outside); ++column) {
+      for (int column = index(middle.x() - outside); column < index(middle.x() + outside);
+           ++column) {
         const Eigen::Vector3f place((static_cast<float>(column) + 0.5f) * texel - arena_radius,
                                     (static_cast<float>(row) + 0.5f) * texel - arena_radius, 0);
         const Eigen::Vector3f away = centre - place;
         const float far = (place.head<2>() - middle).squaredNorm() / (outside * outside);
         if (far >= 1) continue;
-        const std::size_t i = static_cast<std::size_t>(row) * size + static_cast<std::size_t>(column);
+        const std::size_t i =
+            static_cast<std::size_t>(row) * size + static_cast<std::size_t>(column);
         const float fade = (1 - far) * (1 - far);
         sky[i] *= 1 - fade * hidden_sky(away, ball.radius, Eigen::Vector3f::UnitZ());
         key[i] *= left_of_key(away, ball.radius, lamp);

@@ -12,13 +12,16 @@ using Place = Eigen::Vector2d;
 
 constexpr double kRows = 960;  // of the picture that widths and sizes are meant for
 constexpr Rgb kPaper{255, 255, 255};
+constexpr int kPieces = 8;  // of an edge that bodies may hide
 
 class Painter {
  public:
   Painter(io::Image& image, TextPainter& text, const Projection& projection)
       : image_(image), text_(text), projection_(projection), scale_(image.height / kRows) {}
 
-  void operator()(const Segment& segment) { stroke(segment.from, segment.to, segment.width, segment.ink); }
+  void operator()(const Segment& segment) {
+    stroke(segment.from, segment.to, segment.width, segment.ink);
+  }
 
   void operator()(const Polyline& line) {
     const auto count = static_cast<double>(line.points.size());
@@ -58,8 +61,15 @@ class Painter {
     fill(image_, corners, polygon.inside.color, polygon.inside.opacity);
     const double width = std::max(1.0, polygon.width * scale_);
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      line(image_, corners[i], corners[(i + 1) % corners.size()], width, polygon.outline.color,
-           polygon.outline.opacity);
+      const std::size_t next = (i + 1) % corners.size();
+      const Eigen::Vector3d along = polygon.corners[next] - polygon.corners[i];
+      for (int piece = 0; piece < kPieces; ++piece) {
+        const double begin = static_cast<double>(piece) / kPieces, step = 1.0 / kPieces;
+        if (projection_.hidden(polygon.corners[i] + (begin + step / 2) * along)) continue;
+        const Place way = corners[next] - corners[i];
+        line(image_, corners[i] + begin * way, corners[i] + (begin + step) * way, width,
+             polygon.outline.color, polygon.outline.opacity);
+      }
     }
   }
 

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
+#include <span>
 #include <variant>
 #include <vector>
 
 #include "app/view/camera.h"
+#include "app/view/light.h"
 #include "app/view/rgb.h"
 #include "app/view/text.h"
 
@@ -42,7 +43,7 @@ struct Label {  // its middle is at `at`, on a halo of paper
   double size;
   Ink ink;
 };
-struct Polygon {
+struct Polygon {  // on the floor: bodies hide it
   std::vector<Eigen::Vector3d> corners;
   double width;  // of its outline
   Ink outline, inside;
@@ -70,12 +71,19 @@ struct Marks {
 /// Where places of the arena are in a picture.
 class Projection {
  public:
-  Projection(const Camera& camera, const Bounds& bounds, int width, int height);
+  /// `bodies` hide what is behind them; they must outlive the projection.
+  Projection(const Camera& camera, const Bounds& bounds, int width, int height,
+             std::span<const Ball> bodies = {});
 
   /// Pixels from the upper left corner; false for a place behind the eye.
   bool place(const Eigen::Vector3d& world, Eigen::Vector2d& pixels) const;
 
+  /// Whether a body is between the place and the eye.
+  bool hidden(const Eigen::Vector3d& world) const;
+
  private:
+  Camera camera_;
+  std::span<const Ball> bodies_;
   Eigen::Matrix4d clip_from_world_;
   double width_, height_;
 };

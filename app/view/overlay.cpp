@@ -18,10 +18,7 @@ constexpr std::array kOverlays{
             "lines between touching pups, as wide as they touch",
             {Part::owners, Part::pairs},
             draw_contacts},
-    Overlay{"forces",
-            "drive, and the push of contacts",
-            {Part::owners, Part::pairs},
-            draw_forces},
+    Overlay{"forces", "drive, and the push of contacts", {Part::owners, Part::pairs}, draw_forces},
     Overlay{"headings", "directions of travel", {}, draw_headings},
     Overlay{"ids", "numbers of the pups", {}, draw_ids}};
 
@@ -41,7 +38,8 @@ OverlaySet OverlaySet::parse(std::string_view names) {
       std::ranges::transform(kOverlays, known.begin(), &Overlay::name);
       std::string hint = io::did_you_mean(name, known);
       if (hint.empty()) {
-        hint = "; there are " + io::joined(known, ", ", [](auto each) { return std::string(each); });
+        hint =
+            "; there are " + io::joined(known, ", ", [](auto each) { return std::string(each); });
       }
       io::refuse("unknown overlay " + io::quoted(name) + hint);
     }

@@ -15,8 +15,10 @@ struct SkinMesh {
     int from, to;
     int triangle[2];
   };
-  std::vector<int> points;                    // the point of each vertex
-  std::vector<std::array<int, 3>> triangles;  // of vertices, counter-clockwise from outside
+  std::vector<int> points;                    // the point of each vertex, as far as they are points
+  std::vector<std::array<int, 2>> parents;    // the vertices that each further one lies between
+  std::vector<std::array<int, 3>> coarse;     // triangles of points alone, which give the normals
+  std::vector<std::array<int, 3>> triangles;  // of all vertices, counter-clockwise from outside
   std::vector<Edge> edges;
 };
 
@@ -24,9 +26,17 @@ struct SkinMesh {
 /// 2 <= shown <= face_points.
 SkinMesh skin_mesh(int face_points, int shown);
 
-/// The unit normal of a pup's surface at each vertex of `mesh`, outwards; `xyz` holds all points of
-/// the pup. Zero where the surface has no area.
-void vertex_normals(const SkinMesh& mesh, std::span<const float> xyz,
-                    std::vector<Eigen::Vector3f>& normals);
+/// The same with a vertex more in the middle of each edge.
+SkinMesh refined(const SkinMesh& mesh);
+
+/// A pup's surface: place and outward unit normal of each vertex. A normal is zero where the
+/// surface has no area.
+struct SkinShape {
+  std::vector<Eigen::Vector3f> places, normals;
+
+  /// Through the points of a pup, `xyz`. Further vertices lie on a surface that is curved as the
+  /// normals say (Boubekeur & Alexa 2008, Phong tessellation).
+  void fit(const SkinMesh& mesh, std::span<const float> xyz);
+};
 
 }  // namespace pupflow::view

@@ -24,8 +24,8 @@ bool ArenaView::draw(const LiveState& snapshot, bool fresh, const view::ColorSca
   camera_ = view::framed(camera_, litter.params, static_cast<double>(width) / height);
   const view::Drawing drawing{
       .draw = look_.draw, .quality = look_.quality, .rows = height * samples};
-  const bool reload =
-      fresh || drawing.rows != list_.drawing().rows || camera_ != drawn_camera_ || !drawn_scale_ || !scale.same_as(*drawn_scale_);
+  const bool reload = fresh || drawing.rows != list_.drawing().rows || camera_ != drawn_camera_ ||
+                      !drawn_scale_ || !scale.same_as(*drawn_scale_);
   const bool same_store =
       store_.width() == width && store_.height() == height && samples == drawn_samples_;
   if (!reload && same_store) return false;
@@ -58,7 +58,8 @@ void ArenaView::write_picture(const std::string& path, const LiveState& snapshot
   add(pictures::camera_entries(camera));
   if (snapshot.hash) add({{"hash", io::hash_text(*snapshot.hash)}});
   add(picture.look_entries());
-  io::write_png(path, image, io::provenance(litter.recipe, extra), false, pictures::png_options(look));
+  io::write_png(path, image, io::provenance(litter.recipe, extra), false,
+                pictures::png_options(look));
 }
 
 std::string picture_path(const std::string& pattern, std::int64_t step) {

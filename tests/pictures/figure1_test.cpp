@@ -218,7 +218,7 @@ TEST(Figure1, RefusesBadInput) {
   job.panel = 20;
   EXPECT_EQ(code_of(job), io::ExitCode::bad_input);
   job = small_job(folder);
-  job.look.supersample = 0;
+  job.look.supersample = -1;
   EXPECT_EQ(code_of(job), io::ExitCode::bad_input);
   job = small_job(folder);
   job.ta = {0.2, std::nan("")};

@@ -48,7 +48,7 @@ void draw_groups(const OverlayScene& scene, Marks& marks) {
   for (std::size_t group = 0; group < sizes.size(); ++group) {
     if (sizes[group] < 2) continue;
     std::vector<Place> places;
-    Eigen::Vector3d top(0, 0, 0);
+    Place tip(0, -1e300);  // where the number stands
     for (std::size_t pup = 0; pup < labels.size(); ++pup) {
       if (labels[pup] != static_cast<int>(group)) continue;
       for (int i = 0; i < kAround; ++i) {
@@ -56,14 +56,15 @@ void draw_groups(const OverlayScene& scene, Marks& marks) {
         places.emplace_back(scene.centres[pup].head<2>() +
                             reach * Place(std::cos(angle), std::sin(angle)));
       }
-      top += scene.centres[pup] / sizes[group];
     }
     Polygon polygon{{}, 2, outline, inside};
     for (const Place& place : hull_of(std::move(places))) {
       polygon.corners.emplace_back(place.x(), place.y(), 0);
+      if (place.y() > tip.y()) tip = place;
     }
     marks.marks.emplace_back(std::move(polygon));
-    marks.marks.emplace_back(Label{top, {{std::to_string(sizes[group])}}, 20, ink});
+    marks.marks.emplace_back(
+        Label{{tip.x(), tip.y(), 0}, {{std::to_string(sizes[group])}}, 20, ink});
   }
   marks.legend.push_back({LegendEntry::Sign::area, outline, {{"group, with its number of pups"}}});
 }

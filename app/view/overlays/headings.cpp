@@ -13,7 +13,8 @@ void draw_headings(const OverlayScene& scene, Marks& marks) {
     const double heading = scene.litter.heading[pup];
     const Eigen::Vector3d along(std::cos(heading), std::sin(heading), 0);
     const Eigen::Vector3d from = scene.centres[pup] + Eigen::Vector3d(0, 0, reach);
-    marks.marks.emplace_back(Arrow{from - 0.5 * reach * along, from + reach * along, 2.5, ink});
+    marks.marks.emplace_back(
+        Arrow{from + 0.3 * reach * along, from + 1.2 * reach * along, 2.5, ink});
   }
   marks.legend.push_back({LegendEntry::Sign::arrow, ink, {{"direction of travel"}}});
 }

@@ -11,7 +11,8 @@ void draw_trails(const OverlayScene& scene, Marks& marks) {
     if (trail.points.size() > 1) marks.marks.emplace_back(std::move(trail));
   }
   const std::string seconds = io::number_text(scene.trails.seconds());
-  marks.legend.push_back({LegendEntry::Sign::line, ink, {{"path over the last " + seconds + " s"}}});
+  marks.legend.push_back(
+      {LegendEntry::Sign::line, ink, {{"path over the last " + seconds + " s"}}});
 }
 
 }  // namespace pupflow::view

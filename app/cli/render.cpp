@@ -166,8 +166,7 @@ Verb add_render(CLI::App& program) {
       ->option_text("X,Y,Z")
       ->check(not_empty);
   app->add_option("--follow", options->follow, "Keep this pup in the middle of the picture")
-      ->option_text("PUP")
-      ->check(CLI::NonNegativeNumber);
+      ->option_text("PUP");
   app->add_flag("--no-bar", options->no_bar, "Leave out the legend of the colors");
   add_look(*app, options->look, true);
   return {app, [options, app] { work(*app, *options); }};

@@ -236,7 +236,7 @@ TEST_F(RendererTest, EdgesOfTheArenaAreSoftWithOneSampleToo) {
     }
   }
   EXPECT_GT(between, 500);  // two circles of some 900 pixels each
-  EXPECT_LT(between, 4000);
+  EXPECT_LT(between, 5000);
 }
 
 int differing_pixels(const io::Image& a, const io::Image& b) {
@@ -299,11 +299,11 @@ TEST_F(RendererTest, MoreSamplesChangeOnlyEdges) {
 TEST_F(RendererTest, APixelIsTheMeanOfItsSamples) {
   Simulation simulation((Params()));
   simulation.run(100);
-  Camera camera = Camera::parse("orbit:30,35");
+  Camera camera = Camera::parse("orbit:30,-10");
   camera.frame(2, 0.6, 1);
   const io::Image small = take_picture(simulation, kJet, camera, 150, 150, 3);
   const io::Image large = take_picture(simulation, kJet, camera, 450, 450, 1);
-  int off = 0;  // lines are as many pixels wide in either picture
+  int off = 0;  // the rim is as many pixels wide in either picture
   for (int y = 0; y < 150; ++y) {
     for (int x = 0; x < 150; ++x) {
       double sum = 0;
@@ -311,7 +311,7 @@ TEST_F(RendererTest, APixelIsTheMeanOfItsSamples) {
       off += std::abs(small.pixel(x, y)[0] - sum / 9) > 1;
     }
   }
-  EXPECT_LT(off, 150 * 150 / 8);
+  EXPECT_LT(off, 150 * 150 / 50);
 }
 
 TEST_F(RendererTest, DrawsIntoAPartOfTheBoundFramebuffer) {

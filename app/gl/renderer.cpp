@@ -1,5 +1,6 @@
 #include "app/gl/renderer.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -8,11 +9,14 @@ namespace pupflow::gl {
 namespace {
 
 // Brightness at a sphere's outline. Its middle has exactly the color of its point.
-constexpr float kEdgeShade = 0.8f;
+constexpr float kEdgeShade = 0.88f;
 constexpr GLint kWallSegments = 256, kPlaneSegments = 32;
-constexpr float kGridShade = 0.93f;  // brightness of the lines
-constexpr int kMostLines = 80;       // of a grid across the floor
-constexpr float kRimWidth = 1.4f;    // pixels
+constexpr float kGridShade = 0.93f;                        // brightness of the lines
+constexpr std::size_t kKeptBytes = std::size_t{32} << 20;  // of a picture whose store stays
+constexpr int kLargestPart = 2048;                         // edge of what is drawn at once, samples
+constexpr int kMostLines = 80;                             // of a grid across the floor
+constexpr float kUsualRows = 960;                          // higher pictures have wider lines
+constexpr float kRimWidth = 1.4f;                          // pixels
 
 void set_color(const Program& program, const char* name, view::Rgb color) {
   glUniform3f(program.uniform(name), static_cast<float>(color.r) / 255,
@@ -114,24 +118,54 @@ void Renderer::upload(const view::DrawList& list) {
 
 void Renderer::draw(const view::Camera& camera, const Viewport& viewport, int supersample,
                     const Palette& palette) {
-  line_scale_ = static_cast<float>(supersample);
+  line_scale_ = static_cast<float>(supersample) *
+                std::max(1.0f, static_cast<float>(viewport.height) / kUsualRows);
+  const double aspect = static_cast<double>(viewport.width) / viewport.height;
+  const view::CameraMatrices matrices = camera.matrices(aspect, bounds_);
+  const bool from_below = matrices.perspective ? camera.eye().z() < 0 : camera.backward().z() < 0;
   if (supersample == 1) {
-    draw_scene(camera, viewport, palette);
+    draw_scene(matrices, from_below, viewport, palette);
     return;
   }
+  // Part by part, so that memory does not grow with the samples.
+  const int part = std::max(1, kLargestPart / supersample);
+  for (int y = 0; y < viewport.height; y += part) {
+    for (int x = 0; x < viewport.width; x += part) {
+      const Viewport inside{x, y, std::min(part, viewport.width - x),
+                            std::min(part, viewport.height - y)};
+      draw_part(matrices, from_below, viewport, inside, supersample, palette);
+    }
+  }
+}
+
+void Renderer::draw_part(const view::CameraMatrices& whole, bool from_below,
+                         const Viewport& viewport, const Viewport& inside, int supersample,
+                         const Palette& palette) {
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  const Viewport all{0, 0, supersample * viewport.width, supersample * viewport.height};
-  samples_.resize(all.width, all.height);
+  // Clip coordinates in which the part fills the view.
+  view::CameraMatrices matrices = whole;
+  const auto zoom = [&](int row, int all, int from, int size) {
+    const float factor = static_cast<float>(all) / static_cast<float>(size);
+    const float middle =
+        (2 * static_cast<float>(from) + static_cast<float>(size)) / static_cast<float>(all) - 1;
+    matrices.clip_from_eye.row(row) =
+        factor * (whole.clip_from_eye.row(row) - middle * whole.clip_from_eye.row(3));
+  };
+  zoom(0, viewport.width, inside.x, inside.width);
+  zoom(1, viewport.height, inside.y, inside.height);
+  const Viewport samples{0, 0, supersample * inside.width, supersample * inside.height};
+  samples_.resize(samples.width, samples.height);
   samples_.bind();
-  draw_scene(camera, all, palette);
+  draw_scene(matrices, from_below, samples, palette);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
 
-  glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
+  const int x = viewport.x + inside.x, y = viewport.y + inside.y;
+  glViewport(x, y, inside.width, inside.height);
   glUseProgram(resolve_program_.name());
   glUniform1i(resolve_program_.uniform("samples"), 0);
   glUniform1i(resolve_program_.uniform("count"), supersample);
-  glUniform2i(resolve_program_.uniform("origin"), viewport.x, viewport.y);
+  glUniform2i(resolve_program_.uniform("origin"), x, y);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, samples_.texture());
   glBindVertexArray(empty_array_.name());
@@ -143,11 +177,13 @@ io::Image Renderer::picture(const view::Camera& camera, int width, int height, i
   picture_.resize(width, height);
   picture_.bind();
   draw(camera, {0, 0, width, height}, supersample, palette);
-  return picture_.read();
+  io::Image image = picture_.read();
+  if (image.rgba.size() > kKeptBytes) picture_ = Target();
+  return image;
 }
 
-void Renderer::draw_scene(const view::Camera& camera, const Viewport& viewport,
-                          const Palette& palette) {
+void Renderer::draw_scene(const view::CameraMatrices& matrices, bool from_below,
+                          const Viewport& viewport, const Palette& palette) {
   glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
   glScissor(viewport.x, viewport.y, viewport.width, viewport.height);
   glEnable(GL_SCISSOR_TEST);
@@ -167,9 +203,6 @@ void Renderer::draw_scene(const view::Camera& camera, const Viewport& viewport,
   glDepthFunc(GL_LESS);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
-  const double aspect = static_cast<double>(viewport.width) / viewport.height;
-  const view::CameraMatrices matrices = camera.matrices(aspect, bounds_);
-  const bool from_below = matrices.perspective ? camera.eye().z() < 0 : camera.backward().z() < 0;
   const float outside = (1 + view::kRimWidth) * arena_radius_;
   // Bodies first: where they are, nothing of the floor is worked out.
   set_camera(skin_program_, matrices);

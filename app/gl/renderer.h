@@ -62,7 +62,10 @@ class Renderer {
     void draw() const;
   };
 
-  void draw_scene(const view::Camera& camera, const Viewport& viewport, const Palette& palette);
+  void draw_scene(const view::CameraMatrices& matrices, bool from_below, const Viewport& viewport,
+                  const Palette& palette);
+  void draw_part(const view::CameraMatrices& whole, bool from_below, const Viewport& viewport,
+                 const Viewport& inside, int supersample, const Palette& palette);
   void draw_spheres(const view::CameraMatrices& matrices, int rows);
   void draw_floor(const view::CameraMatrices& matrices, bool from_below, const Palette& palette);
   void draw_soft_edges(const view::CameraMatrices& matrices);
@@ -81,7 +84,7 @@ class Renderer {
   GLsizei count_ = 0;  // of spheres
   bool lit_ = false, soft_ = false;
   float sphere_radius_ = 0, arena_radius_ = 0, wall_height_ = 0;
-  float line_scale_ = 1;  // samples a pixel is wide
+  float line_scale_ = 1;  // samples that a line of one pixel is wide
   view::Bounds bounds_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <string>
+#include <utility>
 
 #include "app/context/headless.h"
 #include "app/io/failure.h"
@@ -21,6 +22,7 @@ std::string limits(int least, int most) {
 
 /// Pictures of fewer pixels from top to bottom have no words in the scene.
 constexpr int kLeastForWords = 160;
+constexpr double kLeastText = 6.5;  // pixels
 
 view::TextLine caption_of(const LitterView& litter, const Look& look) {
   const Params& params = litter.params;
@@ -60,7 +62,7 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
       height_(height),
       bar_(bar),
       look_(look),
-      style_{.text_size = std::clamp(height / 48.0, 9.0, 64.0)},
+      style_{.text_size = std::clamp(std::min<double>(height, 0.75 * width) / 48, 9.0, 64.0)},
       margins_(view::color_bar_margins(look.scale, style_)),
       bar_width_(static_cast<int>(std::lround(1.3 * style_.text_size))),
       trails_(look.trail) {
@@ -72,10 +74,9 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
   }
   const int gap = static_cast<int>(style_.text_size);
   const int strip = margins_.left + bar_width_ + margins_.right + gap;
-  scene_width_ = bar ? width - strip : width;
-  if (scene_width_ < kSmallestSide) {
-    io::refuse("a picture " + std::to_string(width) + " pixels wide has no room for the color bar");
-  }
+  // The legend steps aside where it would take more than half of the picture.
+  bar_ = bar && 2 * strip <= width;
+  scene_width_ = bar_ ? width - strip : width;
 }
 
 void Picture::watch(const LitterView& litter) {
@@ -105,7 +106,7 @@ io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
   io::Image scene = renderer.picture(camera, scene_width_, height_, look_.samples(), palette);
   if (look_.transparent) unmultiply(scene);
   add_overlays(scene, litter, camera);
-  return bar_ ? with_legend(scene, litter.params.preferred_temperature) : scene;
+  return bar_ ? with_legend(std::move(scene), litter.params.preferred_temperature) : scene;
 }
 
 void Picture::add_overlays(io::Image& scene, const LitterView& litter, const view::Camera& camera) {
@@ -116,21 +117,27 @@ void Picture::add_overlays(io::Image& scene, const LitterView& litter, const vie
                                     list_.balls());
   view::paint_marks(scene, text_, marks_, projection);
   if (height_ < kLeastForWords) return;
-  const double size = style_.text_size;
-  view::paint_legend(scene, text_, marks_.legend, 0.8 * size, 0.8 * size, size);
-  paint_scale_bar(scene, text_, camera, size, style_.ink);
-  if (look_.caption) {
-    view::paint_label(scene, text_, 0.8 * size, height_ - 0.8 * size, caption_of(litter, look_),
-                      size, style_.ink);
+  const double size = style_.text_size, margin = 0.8 * size;
+  if (view::legend_width(text_, marks_.legend, size) + 2 * margin < scene.width) {
+    view::paint_legend(scene, text_, marks_.legend, margin, margin, size);
   }
+  const double bar = paint_scale_bar(scene, text_, camera, size, style_.ink);
+  if (!look_.caption) return;
+  const view::TextLine caption = caption_of(litter, look_);
+  // Smaller where it would run into the scale bar, and not at all where nobody could read it.
+  const double room = scene.width - bar - 2 * margin;
+  const double fitting = std::min(size, size * room / text_.width(caption, size));
+  if (fitting < kLeastText) return;
+  view::paint_label(scene, text_, margin, height_ - margin, caption, fitting, style_.ink);
 }
 
-io::Image Picture::with_legend(const io::Image& scene, double tp) {
+io::Image Picture::with_legend(io::Image scene, double tp) {
   io::Image picture(width_, height_);
   if (!look_.transparent) {
     view::fill(picture, {0, 0, width_, height_}, gl::Palette{}.background);
   }
   view::blit(picture, scene, 0, 0);
+  scene = {};  // large pictures fill the memory
   const int inset = height_ / 8;
   const view::Box bar{scene_width_ + margins_.left, inset, bar_width_, height_ - 2 * inset};
   view::draw_color_bar(picture, text_,
@@ -193,14 +200,14 @@ void unmultiply(io::Image& scene) {
   }
 }
 
-void paint_scale_bar(io::Image& scene, view::TextPainter& text, const view::Camera& camera,
-                     double size, view::Rgb ink) {
+double paint_scale_bar(io::Image& scene, view::TextPainter& text, const view::Camera& camera,
+                       double size, view::Rgb ink) {
   const double unit = scene.height / (2 * camera.half_height());
   double length = gl::kGridSpacing;
   while (length * unit < 2 * size) length *= 2;
   const double right = scene.width - 0.8 * size, left = right - length * unit;
   const double bottom = scene.height - 0.8 * size, tick = 0.3 * size;
-  if (left < 0.8 * size || scene.height < kLeastForWords) return;
+  if (left < 0.8 * size || scene.height < kLeastForWords) return 0;
   const auto stroke = [&](double x0, double y0, double x1, double y1) {
     view::line(scene, Eigen::Vector2d(x0, y0), Eigen::Vector2d(x1, y1), size / 9, ink, 1);
   };
@@ -209,6 +216,7 @@ void paint_scale_bar(io::Image& scene, view::TextPainter& text, const view::Came
   stroke(right, bottom - tick, right, bottom + tick);
   view::paint_label(scene, text, (left + right) / 2, bottom - 0.5 * size,
                     {{view::tick_label(length)}}, size, ink, view::Align::centre);
+  return scene.width - left;
 }
 
 std::vector<Eigen::Vector3d> centres_of(const LitterView& litter) {

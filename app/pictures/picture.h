@@ -37,8 +37,8 @@ Simulation observed_litter(const Params& params, PartSet parts);
 /// Pictures of `width` x `height` pixels, with or without a legend.
 class Picture {
  public:
-  /// Throws Failure(bad_input) when a side or the samples are out of range or the legend leaves no
-  /// room for the scene.
+  /// Throws Failure(bad_input) when a side or the samples are out of range. There is no legend where
+  /// it would take more than half of the picture's width.
   Picture(int width, int height, bool bar, const Look& look);
 
   /// Width over height of the scene's part, which is as tall as the picture.
@@ -58,7 +58,7 @@ class Picture {
  private:
   view::ColorScale scale_for(const LitterView& litter);
   void add_overlays(io::Image& scene, const LitterView& litter, const view::Camera& camera);
-  io::Image with_legend(const io::Image& scene, double tp);
+  io::Image with_legend(io::Image scene, double tp);
 
   int width_, height_;
   bool bar_;
@@ -90,9 +90,10 @@ io::PngOptions png_options(const Look& look);
 void unmultiply(io::Image& scene);
 
 /// Paints a scale bar, one square of the floor's grid long where the camera's target is, into the
-/// lower right corner of a scene, with text of that size.
-void paint_scale_bar(io::Image& scene, view::TextPainter& text, const view::Camera& camera,
-                     double size, view::Rgb ink);
+/// lower right corner of a scene, with text of that size. Returns how far it reaches from the right;
+/// 0 where there is no room for it.
+double paint_scale_bar(io::Image& scene, view::TextPainter& text, const view::Camera& camera,
+                       double size, view::Rgb ink);
 
 /// The pups' centres.
 std::vector<Eigen::Vector3d> centres_of(const LitterView& litter);

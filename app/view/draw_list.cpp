@@ -208,8 +208,9 @@ void DrawList::add_spheres(const Body& body, const Light& light) {
 }
 
 void DrawList::add_skin(const Body& body, const Light& light) {
-  constexpr float kChord = 0.5f;  // of the height of an arc over its chord
-  constexpr float kSmall = 12;    // a body of fewer samples across shows no single points
+  constexpr float kChord = 0.5f;      // of the height of an arc over its chord
+  constexpr float kBothLift = 0.85f;  // point radii: the rest of the points stands out
+  constexpr float kSmall = 12;        // a body of fewer samples across shows no single points
   const bool cells = scale_.field->of_afferents && 2 * body.ball.radius > kSmall * body.pixel;
   const SkinMesh& mesh = cells ? whole_mesh() : mesh_for(body.ball.radius / body.pixel);
   shape_.fit(mesh, body.xyz);
@@ -221,7 +222,7 @@ void DrawList::add_skin(const Body& body, const Light& light) {
       radius * std::sqrt(16 * std::numbers::pi_v<float> / std::numbers::sqrt3_v<float> /
                          static_cast<float>(mesh.triangles.size()));
   const float chord = kChord * edge * edge / (8 * std::max(radius, edge));
-  const float lift = (drawing_.draw == Draw::both ? 0.5f : 1.0f) * sphere_radius_ + chord -
+  const float lift = (drawing_.draw == Draw::both ? kBothLift : 1.0f) * sphere_radius_ + chord -
                      (soft ? 0.5f * body.pixel : 0.0f);
   std::vector<Vertex> vertices;
   std::vector<float> brightness;

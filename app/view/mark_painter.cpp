@@ -12,7 +12,8 @@ using Place = Eigen::Vector2d;
 
 constexpr double kRows = 960;  // of the picture that widths and sizes are meant for
 constexpr Rgb kPaper{255, 255, 255};
-constexpr int kPieces = 8;  // of an edge that bodies may hide
+constexpr double kSign = 2.1;  // width of a sign with its gap, in text sizes
+constexpr int kPieces = 8;     // of an edge that bodies may hide
 
 class Painter {
  public:
@@ -138,12 +139,18 @@ void paint_marks(io::Image& image, TextPainter& text, const Marks& marks,
   for (const Mark& mark : marks.marks) std::visit(painter, mark);
 }
 
+double legend_width(TextPainter& text, const std::vector<LegendEntry>& legend, double size) {
+  double width = 0;
+  for (const LegendEntry& entry : legend) width = std::max(width, text.width(entry.text, size));
+  return width + kSign * size;
+}
+
 void paint_legend(io::Image& image, TextPainter& text, const std::vector<LegendEntry>& legend,
                   double x, double y, double size) {
   for (std::size_t i = 0; i < legend.size(); ++i) {
     const double baseline = y + (1 + 1.5 * static_cast<double>(i)) * size;
     paint_sign(image, text, legend[i], x, baseline, size);
-    paint_label(image, text, x + 2.1 * size, baseline, legend[i].text, size, {40, 40, 40});
+    paint_label(image, text, x + kSign * size, baseline, legend[i].text, size, {40, 40, 40});
   }
 }
 

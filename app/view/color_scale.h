@@ -64,6 +64,9 @@ struct ColorScale {
   /// Whether the field is a temperature (its symbol is a T with an index).
   bool is_temperature() const { return field->symbol.starts_with("T_"); }
 
+  /// The same for Ends::automatic, but leaves categories and angles as they are.
+  void follow_data();
+
   bool categorical() const { return field->kind == FieldKind::categorical; }
 
   /// Whether both ends are known.
@@ -72,6 +75,9 @@ struct ColorScale {
   /// This scale with the ends that the data decides taken from `values`: for Ends::field rounded
   /// outwards to round numbers. 0 ... 1 where no value is known. `tp` is the preferred temperature.
   ColorScale fitted(std::span<const double> values, double tp = 0) const;
+
+  /// Whether both are of the same field and map and take their ends from the data.
+  bool follows(const ColorScale& before) const;
 
   /// A fitted scale that has gone `share` of the way from the ends of `before` to its own; for
   /// sequences, so that colors do not flicker.
@@ -83,6 +89,9 @@ struct ColorScale {
   /// Whether the same values get the same colors and the same legend.
   bool same_as(const ColorScale& other) const;
 };
+
+/// The share of the way that an automatic scale goes to its new ends in so many model seconds.
+double easing(double seconds);
 
 /// Where the ticks of a scale stand. Round values within [low, high], about `count` of them, evenly
 /// spaced by 1, 2 or 5 times a power of ten; not closer than `least`.

@@ -139,7 +139,11 @@ void LiveWindow::observe(bool observed) {
 void LiveWindow::fit_scale() {
   const view::ColorScale& wanted = controls_.look.scale;
   const LitterView litter = runner_.snapshot().view();
-  scale_ = wanted.fitted(wanted.field->values(litter), litter.params.preferred_temperature);
+  const view::ColorScale fitted =
+      wanted.fitted(wanted.field->values(litter), litter.params.preferred_temperature);
+  const bool goes_on = fitted.follows(scale_) && litter.time >= scale_time_;
+  scale_ = goes_on ? fitted.eased(scale_, view::easing(litter.time - scale_time_)) : fitted;
+  scale_time_ = litter.time;
 }
 
 void LiveWindow::paint(const Layout& layout) {

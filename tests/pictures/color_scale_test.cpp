@@ -182,6 +182,23 @@ TEST(ColorScale, AroundTpHasThePreferredTemperatureInTheMiddle) {
   EXPECT_EQ(own.map_name, "inferno");
 }
 
+TEST(ColorScale, FollowsTheDataOnlyWhereThereIsAScaleToFit) {
+  for (const char* name : {"tb", "turn", "deformation"}) {
+    ColorScale scale = scale_of(name);
+    scale.follow_data();
+    EXPECT_EQ(scale.ends, Ends::automatic) << name;
+    EXPECT_TRUE(scale.follows(scale)) << name;
+  }
+  for (const char* name : {"group", "heading"}) {
+    ColorScale scale = scale_of(name);
+    scale.follow_data();
+    EXPECT_EQ(scale.ends, Ends::field) << name;
+    EXPECT_FALSE(scale.follows(scale)) << name;
+  }
+  EXPECT_NEAR(easing(0.5), 1 - std::exp(-1), 1e-12);
+  EXPECT_EQ(easing(0), 0);
+}
+
 TEST(ColorScale, EasesTowardsNewEnds) {
   const ColorScale before("viridis", 0, 1), now("viridis", 1, 3);
   const ColorScale half = now.eased(before, 0.5);

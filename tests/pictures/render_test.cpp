@@ -68,6 +68,30 @@ TEST(Render, AFrameDoesNotDependOnTheFramesBefore) {
             io::read_png(folder.path("0040.png")).rgba);
 }
 
+TEST(Render, AutomaticScalesMoveEvenlyThroughASequence) {
+  const test::Scratch folder;
+  RenderJob job = small_job(folder);
+  job.look.scale.set_ends(view::Ends::automatic);
+  job.params.ambient_temperature = 0.2;
+  job.at = {10, 20, 400};
+  const auto top_of = [&](const char* name) {
+    for (const auto& [key, value] : io::read_png_text(folder.path(name))) {
+      if (key == "scale") return std::stod(value.substr(value.find(',') + 1));
+    }
+    return 0.0;
+  };
+  render(job);
+  const double first = top_of("0010.png"), next = top_of("0020.png"), last = top_of("0400.png");
+  job.at = {20};
+  job.output.force = true;
+  render(job);
+  const double alone = top_of("0020.png");
+  EXPECT_LT(alone, first);
+  EXPECT_GT(next, alone) << "on its way";
+  EXPECT_LT(next, first);
+  EXPECT_LT(last, next);
+}
+
 TEST(Render, CarriesParametersAndStep) {
   const test::Scratch folder;
   RenderJob job = small_job(folder);

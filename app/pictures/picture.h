@@ -44,6 +44,10 @@ class Picture {
   /// Width over height of the scene's part, which is as tall as the picture.
   double scene_aspect() const { return static_cast<double>(scene_width_) / height_; }
 
+  /// Call it with the renderer's context current before long work. Throws like `draw`, and where
+  /// memory does not suffice.
+  void refuse_large() const;
+
   /// Tells of the litter between pictures, for trails. Does nothing without them.
   void watch(const LitterView& litter);
 
@@ -76,6 +80,11 @@ class Picture {
 
 /// Throws Failure(bad_input) unless 1 <= supersample <= kMostSamples.
 void check_samples(int supersample);
+
+/// Throws Failure(bad_input) when a picture of that size, of which a part of `drawn_width` x
+/// `drawn_height` pixels is drawn at a time, is more than OpenGL or the memory allows. An OpenGL
+/// context must be current.
+void refuse_large(int width, int height, int drawn_width, int drawn_height, int supersample);
 
 /// How files name what a picture with this look and this fitted scale shows.
 io::TextEntries look_entries(const Look& look, const view::ColorScale& scale);

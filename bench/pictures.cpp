@@ -25,8 +25,20 @@ void pictures(int rounds, Verdicts& verdicts) {
     return microseconds([&] { sitting.draw(supersample); });
   };
   const auto plain_drawing = [&](const Simulation& scene) {
-    sitting.list(scene);
+    sitting.list_points(scene);
     return microseconds([&] { sitting.draw_plainly(); });
+  };
+  const auto whole_frame = [&] {
+    return microseconds([&] {
+      sitting.list(litter);
+      sitting.draw(1);
+    });
+  };
+  const auto earlier_frame = [&] {
+    return microseconds([&] {
+      sitting.list_points(litter);
+      sitting.draw(2);
+    });
   };
   const std::vector<Contender> contenders = {
       {"baseline: clearing and a plain floor", [&] { return plain_drawing(nobody); }},
@@ -38,7 +50,9 @@ void pictures(int rounds, Verdicts& verdicts) {
       {"finding what is visible", [&] { return microseconds([&] { sitting.list(litter); }); }},
       {"reading the picture back", [&] { return microseconds([&] { frame = sitting.read(); }); }},
       {"writing it as PNG",
-       [&] { return microseconds([&] { io::write_png(file, frame, {}, true); }); }}};
+       [&] { return microseconds([&] { io::write_png(file, frame, {}, true); }); }},
+      {"a whole frame: finding and drawing", whole_frame},
+      {"baseline: a whole frame as version 0.1.0 drew it", earlier_frame}};
   const auto times = in_turns(contenders, 3 * rounds);
   std::printf("| picture of %d × %d | ms |\n|---|---|\n", kPictureWidth, kPictureHeight);
   for (std::size_t i = 0; i < contenders.size(); ++i) {
@@ -46,6 +60,8 @@ void pictures(int rounds, Verdicts& verdicts) {
   }
   std::filesystem::remove(file);
   verdicts.measured("drawing the litter through the baseline's drawing", ratio(times[3], times[1]));
+  verdicts.measured("a frame as version 0.1.0 drew it through one of today",
+                    ratio(times[10], times[9]));
 }
 
 }  // namespace pupflow::bench

@@ -21,10 +21,10 @@ PlainFrame::PlainFrame()
       spheres_("", "spheres.vert", "spheres.frag") {
   glBindVertexArray(points_.name());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  constexpr GLsizei kStride = sizeof(view::Sphere);
+  constexpr GLsizei kStride = sizeof(view::Vertex);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, nullptr);
   // OpenGL wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
-  const auto* colors = reinterpret_cast<const void*>(offsetof(view::Sphere, r));
+  const auto* colors = reinterpret_cast<const void*>(offsetof(view::Vertex, r));
   glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, colors);
   for (const GLuint attribute : {0u, 1u}) {
     glEnableVertexAttribArray(attribute);

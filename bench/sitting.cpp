@@ -22,8 +22,8 @@ Sitting::Sitting()
   target_.resize(kPictureWidth, kPictureHeight);
 }
 
-void Sitting::list(const Simulation& simulation) {
-  list_.update(simulation, scale_, camera_);
+void Sitting::list(const Simulation& simulation, const view::Drawing& drawing) {
+  list_.update(simulation, scale_, camera_, drawing);
 }
 
 void Sitting::draw(int supersample) {

@@ -23,7 +23,13 @@ class Sitting {
   Sitting();
 
   /// What is seen of `simulation` becomes the list that is drawn.
-  void list(const Simulation& simulation);
+  void list(const Simulation& simulation, const view::Drawing& drawing = {});
+
+  /// The same for `draw_plainly`, and for pictures as version 0.1.0 drew them: spheres with hard
+  /// edges, without shadows, of which `draw` took 2 x 2 samples.
+  void list_points(const Simulation& simulation) {
+    list(simulation, {.draw = view::Draw::points, .quality = view::Quality::fast});
+  }
 
   /// Uploads the list and draws it, to the last pixel.
   void draw(int supersample);

@@ -41,7 +41,11 @@ pictures::ImageJob job_of(const Look& look) {
   job.bar = look.bar;
   job.look.scale = view::ColorScale(io::named_field(look.color_by, "color_by"));
   if (look.colormap) job.look.scale.set_map(*look.colormap);
-  if (look.scale) job.look.scale.set_range(look.scale->first, look.scale->second);
+  if (look.scale) {
+    job.look.scale.set_range(look.scale->first, look.scale->second);
+  } else {
+    job.look.scale.follow_data();
+  }
   return job;
 }
 

@@ -1,19 +1,33 @@
 #version 330 core
-// The ring between two radii, its edges covering pixels in part.
+// The floor in its light, with a grid, and the slab around it; edges cover pixels in part.
 
 in vec2 place;
 
-uniform float inner_radius;  // negative: a full disc
+uniform float floor_radius;
 uniform float outer_radius;
-uniform vec3 color;
+uniform vec3 floor_color;
+uniform vec3 slab_color;
+uniform float spacing;    // of the grid; 0: none
+uniform float line_width;  // samples
+uniform float grid_shade;  // brightness of its lines
+uniform bool lit;
+uniform sampler2D light;  // over the square around the floor
 
 out vec4 fragment;
 
 void main() {
   float r = length(place);
+  vec2 pixels = max(fwidth(place), 1e-6);
   float pixel = max(fwidth(r), 1e-6);
-  float cover = clamp((outer_radius - r) / pixel + 0.5, 0.0, 1.0) *
-                clamp((r - inner_radius) / pixel + 0.5, 0.0, 1.0);
-  if (cover <= 0.0) discard;
+  float cover = clamp((outer_radius - r) / pixel + 0.5, 0.0, 1.0);
+  vec3 color = floor_color;
+  if (spacing > 0.0) {
+    vec2 from_line = abs(fract(place / spacing + 0.5) - 0.5) * spacing;
+    vec2 line = clamp(0.5 * line_width + 0.5 - from_line / pixels, 0.0, 1.0) *
+                clamp(2.0 - 8.0 * line_width * pixels / spacing, 0.0, 1.0);
+    color *= mix(1.0, grid_shade, max(line.x, line.y));
+  }
+  if (lit) color *= texture(light, place / (2.0 * floor_radius) + 0.5).r;
+  color = mix(slab_color, color, clamp((floor_radius - r) / pixel + 0.5, 0.0, 1.0));
   fragment = vec4(color, cover);
 }

@@ -3,10 +3,10 @@
 
 flat in vec3 sphere_centre;
 flat in vec3 sphere_color;
+flat in float sphere_radius;
 in vec3 offset;
 
 uniform mat4 clip_from_eye;
-uniform float radius;
 uniform bool perspective;
 uniform float edge_shade;  // brightness where the surface turns away; 1 where it faces the eye
 
@@ -22,9 +22,9 @@ void main() {
     sight = normalize(place);
     nearest = (offset * c2 - sphere_centre * o2) / (c2 + o2);
   }
-  float depth2 = radius * radius - dot(nearest, nearest);
+  float depth2 = sphere_radius * sphere_radius - dot(nearest, nearest);
   if (depth2 < 0.0) discard;
-  float facing = sqrt(depth2) / radius;  // cosine between the surface's normal and the eye
+  float facing = sqrt(depth2) / sphere_radius;  // cosine between the surface's normal and the eye
   vec3 hit = sphere_centre + nearest - sqrt(depth2) * sight;
 
   vec2 clip = vec2(clip_from_eye[2][2] * hit.z + clip_from_eye[3][2],

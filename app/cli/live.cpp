@@ -65,7 +65,7 @@ Verb add_live(CLI::App& program) {
       ->option_text("S")
       ->check(CLI::Range(0.0, 1e6));
   app->add_flag("--test-events", options->test_events)->group("");
-  add_look(*app, options->look);
+  add_look(*app, options->look, true);
   return {app, [options] { work(*options); }};
 }
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "app/io/png.h"
 #include "app/pictures/look.h"
 
 namespace pupflow::cli {
@@ -12,15 +13,32 @@ namespace pupflow::cli {
 struct LookOptions {
   std::string color_by = "tb";
   std::string colormap, scale;  // empty: the field's own
+  std::string draw = std::string(view::name_of(pictures::Look{}.draw));
+  std::string quality = std::string(view::name_of(pictures::Look{}.quality));
+  std::string overlay;
+  double trail = pictures::Look{}.trail;
+  bool caption = false, transparent = false;
+  int dpi = 0;
   std::string shader_dir;
-  int supersample = pictures::Look{}.supersample;
+  int supersample = 0;
   bool verbose = false;
+  bool automatic = false;  // see add_look
 };
 
-/// Declares them.
-void add_look(CLI::App& verb, LookOptions& options);
+/// Declares those that the window has, too. `automatic`: the colors span what is seen unless --scale is given, not the
+/// field's range.
+void add_look(CLI::App& verb, LookOptions& options, bool automatic);
+
+/// Declares those that only pictures have.
+void add_picture_look(CLI::App& verb, LookOptions& options);
+
+/// Takes what was not typed from the entries of a picture.
+void take_look(const CLI::App& verb, const io::TextEntries& picture, LookOptions& options);
 
 /// Checks them. Throws Failure(bad_input).
 pictures::Look look_of(const LookOptions& options);
+
+/// The entry called `key`, or nullptr.
+const std::string* find_entry(const io::TextEntries& entries, std::string_view key);
 
 }  // namespace pupflow::cli

@@ -1,5 +1,8 @@
 // pupflow render: headless PNG frames of one scene.
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "app/cli/graphics_module.h"
 #include "app/cli/look_options.h"
@@ -8,6 +11,7 @@
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
 #include "app/io/frame_path.h"
+#include "app/io/params_of_file.h"
 
 namespace pupflow::cli {
 namespace {
@@ -16,6 +20,7 @@ using io::ExitCode;
 using io::Failure;
 
 constexpr std::int64_t kMostFrames = 1'000'000;
+constexpr double kFurthestTarget = 1e6;
 
 struct Options {
   Common common;
@@ -24,6 +29,8 @@ struct Options {
   std::int64_t every = 0;
   std::string size = size_text(pictures::RenderJob{}.width, pictures::RenderJob{}.height);
   std::string camera = view::Camera::kUsual;
+  std::string target;
+  std::optional<int> follow;
   bool no_bar = false;
 };
 
@@ -67,16 +74,56 @@ void check_pattern(const std::string& pattern, std::size_t frames) {
                     " frames need a place for the step, e.g. --out 'frames/%05d.png'");
 }
 
-void work(const Options& options) {
+/// Takes what was not typed from the picture of --like: its look, its camera and its step.
+void take_picture(const CLI::App& verb, Options& options, std::string& frames) {
+  const std::string& like = options.common.settings.like;
+  if (like.empty()) return;
+  const io::TextEntries picture = io::entries_of_file(like);
+  if (find_entry(picture, "camera") == nullptr) return;  // of no single scene
+  take_look(verb, picture, options.look);
+  const auto take = [&](const char* key, const char* option, std::string& value) {
+    const std::string* entry = find_entry(picture, key);
+    if (entry != nullptr && verb.count(option) == 0) value = *entry;
+  };
+  take("size", "--size", options.size);
+  take("camera", "--camera", options.camera);
+  if (verb.count("--camera") == 0 && !options.follow) {
+    take("camera_target", "--target", options.target);
+  }
+  const std::string* bar = find_entry(picture, "bar");
+  if (bar != nullptr && *bar == "false") options.no_bar = true;
+  const std::string* step = find_entry(picture, "step");
+  if (step != nullptr && frames.empty() && options.every == 0 && verb.count("--steps") == 0) {
+    frames = *step;
+  }
+}
+
+view::Camera camera_of(const Options& options) {
+  view::Camera camera = view::Camera::parse(options.camera);
+  if (options.target.empty()) return camera;
+  if (options.follow) io::refuse("--target and --follow both say what is in the middle; use one");
+  const std::vector<double> place = parse_numbers("--target", options.target);
+  const auto far = [](double number) { return std::abs(number) > kFurthestTarget; };
+  if (place.size() != 3 || std::ranges::any_of(place, far)) {
+    io::refuse("--target " + options.target +
+               ": must be X,Y,Z in arena units, each within +-1e6, e.g. 0.5,0,0.3");
+  }
+  camera.look_at({place[0], place[1], place[2]});
+  return camera;
+}
+
+void work(const CLI::App& verb, Options options) {
   pictures::RenderJob job;
   io::Settings settings = options.common.settings;
-  const std::string frames = take_frames(settings.at);
+  std::string frames = take_frames(settings.at);
+  take_picture(verb, options, frames);
   const Start start = start_of(settings, options.from);
   job.params = start.recipe;
   job.from = start.from;
   job.at = frame_steps(options, frames, job.params);
   std::tie(job.width, job.height) = parse_size("--size", options.size);
-  job.camera = view::Camera::parse(options.camera);
+  job.camera = camera_of(options);
+  job.follow = options.follow;
   job.threads = thread_count(options.common);
   job.bar = !options.no_bar;
   job.look = look_of(options.look);
@@ -112,9 +159,18 @@ Verb add_render(CLI::App& program) {
                   "(default " +
                       options->camera + ")")
       ->option_text("CAMERA");
+  app->add_option(
+         "--target", options->target,
+         "The place in the middle of the picture, in arena units (default: where the arena "
+         "fills it)")
+      ->option_text("X,Y,Z")
+      ->check(not_empty);
+  app->add_option("--follow", options->follow, "Keep this pup in the middle of the picture")
+      ->option_text("PUP");
   app->add_flag("--no-bar", options->no_bar, "Leave out the legend of the colors");
-  add_look(*app, options->look);
-  return {app, [options] { work(*options); }};
+  add_look(*app, options->look, true);
+  add_picture_look(*app, options->look);
+  return {app, [options, app] { work(*app, *options); }};
 }
 
 }  // namespace pupflow::cli

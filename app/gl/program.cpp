@@ -6,18 +6,27 @@
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
 
-#define PUPFLOW_SHADER(symbol)                             \
+// The embedded files: name, and the symbol that CMake gives it.
+#define PUPFLOW_SHADERS(X)                  \
+  X("spheres.vert", spheres_vert)           \
+  X("spheres.frag", spheres_frag)           \
+  X("sphere_edges.frag", sphere_edges_frag) \
+  X("skin.vert", skin_vert)                 \
+  X("skin.frag", skin_frag)                 \
+  X("plane.vert", plane_vert)               \
+  X("plane.frag", plane_frag)               \
+  X("wall.vert", wall_vert)                 \
+  X("wall.frag", wall_frag)                 \
+  X("rim.vert", rim_vert)                   \
+  X("rim.frag", rim_frag)                   \
+  X("resolve.vert", resolve_vert)           \
+  X("resolve.frag", resolve_frag)
+
+#define PUPFLOW_DECLARE(file, symbol)                      \
   extern "C" const char pupflow_shader_##symbol##_begin[]; \
   extern "C" const char pupflow_shader_##symbol##_end[];
-PUPFLOW_SHADER(spheres_vert)
-PUPFLOW_SHADER(spheres_frag)
-PUPFLOW_SHADER(plane_vert)
-PUPFLOW_SHADER(plane_frag)
-PUPFLOW_SHADER(wall_vert)
-PUPFLOW_SHADER(wall_frag)
-PUPFLOW_SHADER(resolve_vert)
-PUPFLOW_SHADER(resolve_frag)
-#undef PUPFLOW_SHADER
+PUPFLOW_SHADERS(PUPFLOW_DECLARE)
+#undef PUPFLOW_DECLARE
 
 namespace pupflow::gl {
 
@@ -96,18 +105,10 @@ GLuint link(const Source& vertex, const Source& fragment) {
 }  // namespace
 
 std::string_view embedded_shader(std::string_view file) {
-#define PUPFLOW_SHADER(file_name, symbol)                            \
-  {                                                                  \
-    file_name, {                                                     \
-      pupflow_shader_##symbol##_begin, pupflow_shader_##symbol##_end \
-    }                                                                \
-  }
-  static const std::map<std::string_view, std::string_view> shaders{
-      PUPFLOW_SHADER("spheres.vert", spheres_vert), PUPFLOW_SHADER("spheres.frag", spheres_frag),
-      PUPFLOW_SHADER("plane.vert", plane_vert),     PUPFLOW_SHADER("plane.frag", plane_frag),
-      PUPFLOW_SHADER("wall.vert", wall_vert),       PUPFLOW_SHADER("wall.frag", wall_frag),
-      PUPFLOW_SHADER("resolve.vert", resolve_vert), PUPFLOW_SHADER("resolve.frag", resolve_frag)};
-#undef PUPFLOW_SHADER
+#define PUPFLOW_ENTRY(name, symbol) \
+  {name, {pupflow_shader_##symbol##_begin, pupflow_shader_##symbol##_end}},
+  static const std::map<std::string_view, std::string_view> shaders{PUPFLOW_SHADERS(PUPFLOW_ENTRY)};
+#undef PUPFLOW_ENTRY
   return shaders.at(file);
 }
 

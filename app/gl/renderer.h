@@ -1,4 +1,4 @@
-// Draws a list of spheres and its arena with OpenGL 3.3 core. Knows neither window nor EGL: a
+// Draws a list of bodies and its arena with OpenGL 3.3 core. Knows neither window nor EGL: a
 // context must be current whenever a function here runs, the destructors included.
 #pragma once
 
@@ -18,11 +18,19 @@ struct Viewport {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
+/// Edge of what is drawn at once where a pixel has many samples; samples.
+constexpr int kLargestPart = 2048;
+
+/// Of the grid on the floor, arena units.
+constexpr float kGridSpacing = 0.5f;
+
 /// Colors of what is no pup.
 struct Palette {
   view::Rgb background{255, 255, 255};
-  view::Rgb floor{226, 228, 231};
-  view::Rgb rim{150, 154, 160};
+  bool transparent = false;        // no background: colors are premultiplied with their alpha
+  view::Rgb floor{232, 234, 237};  // where nothing shades it
+  view::Rgb slab{206, 210, 215};   // around the floor and below it
+  view::Rgb glass{110, 130, 150}, rim{120, 127, 136};
 };
 
 class Renderer {
@@ -47,19 +55,39 @@ class Renderer {
                     const Palette& palette = {});
 
  private:
-  void draw_scene(const view::Camera& camera, const Viewport& viewport, const Palette& palette);
-  void draw_plane(const view::CameraMatrices& matrices, float height, float inner_radius,
-                  float outer_radius, view::Rgb color);
-  void draw_wall(const view::CameraMatrices& matrices, float radius, float bottom, float top,
-                 view::Rgb color);
-  void draw_spheres(const view::CameraMatrices& matrices);
+  /// Vertices on their way to the driver.
+  struct Mesh {
+    VertexArray array;
+    Buffer vertices, indices;
+    GLsizei count = 0;  // of indices
+    Mesh();
+    void upload(const view::Triangles& triangles);
+    void draw() const;
+  };
 
-  Program spheres_program_, plane_program_, wall_program_, resolve_program_;
+  void draw_scene(const view::CameraMatrices& matrices, bool from_below, const Viewport& viewport,
+                  const Palette& palette);
+  void draw_part(const view::CameraMatrices& whole, bool from_below, const Viewport& viewport,
+                 const Viewport& inside, int supersample, const Palette& palette);
+  void draw_spheres(const view::CameraMatrices& matrices, int rows);
+  void draw_floor(const view::CameraMatrices& matrices, bool from_below, const Palette& palette);
+  void draw_soft_edges(const view::CameraMatrices& matrices);
+  void draw_wall(const view::CameraMatrices& matrices, float radius, float bottom, float top,
+                 view::Rgb color, bool glass);
+  void draw_rim(const view::CameraMatrices& matrices, const Viewport& viewport, float radius,
+                float height, float opacity, view::Rgb color);
+
+  Program spheres_program_, sphere_edges_program_, skin_program_, plane_program_, wall_program_,
+      rim_program_, resolve_program_;
   VertexArray spheres_array_, empty_array_;
   Buffer spheres_buffer_;
+  Mesh skin_, outline_;
+  Texture light_;
   Target samples_, picture_;
-  GLsizei count_ = 0;
-  float sphere_radius_ = 0, arena_radius_ = 0;
+  GLsizei count_ = 0;  // of spheres
+  bool lit_ = false, soft_ = false;
+  float sphere_radius_ = 0, arena_radius_ = 0, wall_height_ = 0;
+  float line_scale_ = 1;  // samples that a line of one pixel is wide
   view::Bounds bounds_;
 };
 

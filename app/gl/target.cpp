@@ -1,9 +1,7 @@
 #include "app/gl/target.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string>
-#include <vector>
 
 #include "app/io/failure.h"
 
@@ -60,15 +58,14 @@ void Target::copy_to(GLuint framebuffer, int x, int y) const {
 }
 
 io::Image Target::read() const {
-  const auto row = 4 * static_cast<std::size_t>(width_);
-  std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(height_));
+  io::Image image(width_, height_);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
-  io::Image image(width_, height_);
-  for (int y = 0; y < height_; ++y) {
-    std::memcpy(image.pixel(0, y), &upside_down[row * static_cast<std::size_t>(height_ - 1 - y)],
-                row);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  // OpenGL's rows go from bottom to top.
+  const auto row = 4 * static_cast<std::size_t>(width_);
+  for (int y = 0; y < height_ / 2; ++y) {
+    std::swap_ranges(image.pixel(0, y), image.pixel(0, y) + row, image.pixel(0, height_ - 1 - y));
   }
   return image;
 }

@@ -23,10 +23,15 @@ struct Image {
 
 using TextEntries = std::vector<std::pair<std::string, std::string>>;
 
-/// Writes an opaque RGB PNG (alpha is dropped) with `text` as text chunks (iTXt where a value is
-/// not ASCII), whole or not at all. Throws Failure(bad_file); without `force` also when the file
-/// exists.
-void write_png(const std::string& path, const Image& image, const TextEntries& text, bool force);
+struct PngOptions {
+  bool alpha = false;  // keep the image's; without, the PNG is opaque
+  int dpi = 0;         // dots per inch that the file names; 0: none
+};
+
+/// Writes a PNG with `text` as text chunks (iTXt where a value is not ASCII), whole or not at all.
+/// Throws Failure(bad_file); without `force` also when the file exists.
+void write_png(const std::string& path, const Image& image, const TextEntries& text, bool force,
+               const PngOptions& options = {});
 
 /// Reads any PNG as RGBA. Throws Failure(bad_file).
 Image read_png(const std::string& path);

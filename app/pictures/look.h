@@ -4,6 +4,8 @@
 #include <string>
 
 #include "app/view/color_scale.h"
+#include "app/view/drawing.h"
+#include "app/view/overlay.h"
 
 namespace pupflow::pictures {
 
@@ -11,14 +13,28 @@ namespace pupflow::pictures {
 /// panel of Figure 1.
 constexpr int kSmallestSide = 16, kLargestSide = 16384;
 constexpr int kMostSamples = 8;
+constexpr int kMostDpi = 4800;
+constexpr double kLongestTrail = 1000;  // model seconds
 constexpr int kSmallestPanel = 120, kLargestPanel = 4096;
 
 /// Options that every picture and window shares.
 struct Look {
   view::ColorScale scale;  // the field that the colors show, color map, range
-  std::string shader_dir;  // read shaders from here instead of the embedded ones
-  int supersample = 2;     // n x n samples per pixel
-  bool verbose = false;    // print which context and renderer were chosen
+  view::Draw draw = view::Draw::skin;
+  view::Quality quality = view::Quality::normal;
+  view::OverlaySet overlays;
+  double trail = 1;          // model seconds that trails are long
+  bool caption = false;      // a line that says what is shown
+  bool transparent = false;  // no paper behind the scene
+  int dpi = 0;               // dots per inch that files name; 0: none
+  std::string shader_dir;    // read shaders from here instead of the embedded ones
+  int supersample = 0;       // n x n samples per pixel; 0: those of the quality
+  bool verbose = false;      // print which context and renderer were chosen
+
+  int samples() const { return supersample != 0 ? supersample : view::usual_samples(quality); }
+
+  /// What a step must record for the colors and overlays.
+  PartSet parts() const { return scale.field->parts | overlays.parts(); }
 };
 
 struct Output {

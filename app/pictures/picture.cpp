@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <string>
+#include <utility>
 
 #include "app/context/headless.h"
 #include "app/gl/target.h"
@@ -11,6 +12,7 @@
 #include "app/io/memory.h"
 #include "app/io/text.h"
 #include "app/view/canvas.h"
+#include "app/view/mark_painter.h"
 
 namespace pupflow::pictures {
 
@@ -18,6 +20,20 @@ namespace {
 
 std::string limits(int least, int most) {
   return std::to_string(least) + " ... " + std::to_string(most);
+}
+
+/// Pictures of fewer pixels from top to bottom have no words in the scene.
+constexpr int kLeastForWords = 160;
+constexpr double kLeastText = 6.5;  // pixels
+
+view::TextLine caption_of(const LitterView& litter, const Look& look) {
+  const Params& params = litter.params;
+  view::TextLine caption = view::symbol("T", "a");
+  const std::string label(look.scale.field->label);
+  return caption + (" = " + view::tick_label(params.ambient_temperature) + ", " +
+                    io::formatted("%.2f", litter.time) + " s, seed " + std::to_string(params.seed) +
+                    ", " + std::to_string(litter.pups) + (litter.pups == 1 ? " pup, " : " pups, ") +
+                    "color: " + label);
 }
 
 }  // namespace
@@ -32,14 +48,14 @@ Headless::Headless(const Look& look) {
   renderer = std::make_unique<gl::Renderer>(look.shader_dir);
 }
 
-Simulation observed_litter(const Params& params, const Field& field) {
+Simulation observed_litter(const Params& params, PartSet parts) {
   std::string problems;
   for (const Problem& problem : check(params)) {
     problems += (problems.empty() ? "" : "; ") + problem.message;
   }
   if (!problems.empty()) io::refuse(problems);
   Simulation simulation(params);
-  simulation.set_observed(field.parts);
+  simulation.set_observed(parts);
   return simulation;
 }
 
@@ -47,12 +63,12 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
     : width_(width),
       height_(height),
       bar_(bar),
-      scale_(look.scale),
-      supersample_(look.supersample),
-      style_{.text_size = std::clamp(height / 48.0, 9.0, 64.0)},
+      look_(look),
+      style_{.text_size = std::clamp(std::min<double>(height, 0.75 * width) / 48, 9.0, 64.0)},
       margins_(view::color_bar_margins(look.scale, style_)),
-      bar_width_(static_cast<int>(std::lround(1.3 * style_.text_size))) {
-  check_samples(supersample_);
+      bar_width_(static_cast<int>(std::lround(1.3 * style_.text_size))),
+      trails_(look.trail) {
+  check_samples(look.samples());
   for (const int side : {width, height}) {
     if (side >= kSmallestSide && side <= kLargestSide) continue;
     io::refuse("a picture's sides must be " + limits(kSmallestSide, kLargestSide) +
@@ -60,28 +76,73 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
   }
   const int gap = static_cast<int>(style_.text_size);
   const int strip = margins_.left + bar_width_ + margins_.right + gap;
-  scene_width_ = bar ? width - strip : width;
-  if (scene_width_ < kSmallestSide) {
-    io::refuse("a picture " + std::to_string(width) + " pixels wide has no room for the color bar");
+  // The legend steps aside where it would take more than half of the picture.
+  bar_ = bar && 2 * strip <= width;
+  scene_width_ = bar_ ? width - strip : width;
+}
+
+void Picture::watch(const LitterView& litter) {
+  if (look_.overlays.has("trails")) trails_.add(litter);
+}
+
+view::ColorScale Picture::scale_for(const LitterView& litter) {
+  const std::vector<double> values = look_.scale.field->values(litter);
+  view::ColorScale scale = look_.scale.fitted(values, litter.params.preferred_temperature);
+  if (shown_ && scale.follows(*shown_) && litter.time >= shown_at_) {
+    scale = scale.eased(*shown_, view::easing(litter.time - shown_at_));
   }
+  shown_ = scale;
+  shown_at_ = litter.time;
+  return scale;
 }
 
 void Picture::refuse_large() const {
-  pictures::refuse_large(width_, height_, scene_width_, height_, supersample_);
+  pictures::refuse_large(width_, height_, scene_width_, height_, look_.samples());
 }
 
 io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
                         const view::Camera& camera) {
-  list_.update(litter, scale_, camera);
+  const view::Drawing drawing{
+      .draw = look_.draw, .quality = look_.quality, .rows = height_ * look_.samples()};
+  list_.update(litter, scale_for(litter), camera, drawing);
   renderer.upload(list_);
-  io::Image scene = renderer.picture(camera, scene_width_, height_, supersample_);
-  return bar_ ? with_legend(scene, litter.params.preferred_temperature) : scene;
+  gl::Palette palette;
+  palette.transparent = look_.transparent;
+  io::Image scene = renderer.picture(camera, scene_width_, height_, look_.samples(), palette);
+  if (look_.transparent) unmultiply(scene);
+  add_overlays(scene, litter, camera);
+  return bar_ ? with_legend(std::move(scene), litter.params.preferred_temperature) : scene;
 }
 
-io::Image Picture::with_legend(const io::Image& scene, double tp) {
+void Picture::add_overlays(io::Image& scene, const LitterView& litter, const view::Camera& camera) {
+  marks_.clear();
+  watch(litter);
+  look_.overlays.draw({litter, list_.scale(), centres_of(litter), trails_}, marks_);
+  const view::Projection projection(camera, list_.bounds(), scene.width, scene.height,
+                                    list_.balls());
+  view::paint_marks(scene, text_, marks_, projection);
+  if (height_ < kLeastForWords) return;
+  const double size = style_.text_size, margin = 0.8 * size;
+  if (view::legend_width(text_, marks_.legend, size) + 2 * margin < scene.width) {
+    view::paint_legend(scene, text_, marks_.legend, margin, margin, size);
+  }
+  const double bar = paint_scale_bar(scene, text_, camera, size, style_.ink);
+  if (!look_.caption) return;
+  const view::TextLine caption = caption_of(litter, look_);
+  // Smaller where it would run into the scale bar, and not at all where nobody could read it.
+  const double room = scene.width - bar - 2 * margin;
+  const double fitting = std::min(size, size * room / text_.width(caption, size));
+  if (fitting < kLeastText) return;
+  view::paint_label(scene, text_, margin, height_ - margin, caption, fitting, style_.ink);
+}
+
+io::Image Picture::with_legend(io::Image scene, double tp) {
   io::Image picture(width_, height_);
-  view::fill(picture, {0, 0, width_, height_}, gl::Palette{}.background);
+  if (!look_.transparent) {
+    view::fill(picture, {0, 0, width_, height_}, gl::Palette{}.background);
+  }
   view::blit(picture, scene, 0, 0);
+  scene = {};  // large pictures fill the memory
   const int inset = height_ / 8;
   const view::Box bar{scene_width_ + margins_.left, inset, bar_width_, height_ - 2 * inset};
   view::draw_color_bar(picture, text_,
@@ -91,7 +152,7 @@ io::Image Picture::with_legend(const io::Image& scene, double tp) {
 }
 
 io::TextEntries Picture::look_entries() const {
-  return pictures::look_entries(list_.scale(), supersample_);
+  return pictures::look_entries(look_, list_.scale());
 }
 
 void check_samples(int supersample) {
@@ -101,26 +162,85 @@ void check_samples(int supersample) {
 }
 
 void refuse_large(int width, int height, int drawn_width, int drawn_height, int supersample) {
-  // A sample has color and depth; a pixel passes through copies on its way to the file.
-  constexpr double kOfSample = 8, kOfPixel = 32;
-  gl::Target::refuse_large(drawn_width * supersample, drawn_height * supersample);
-  const double samples = static_cast<double>(supersample) * supersample;
-  const std::string size = std::to_string(width) + "x" + std::to_string(height);
-  io::refuse_large("a picture of " + size + " pixels with " + std::to_string(supersample) + " x " +
-                       std::to_string(supersample) + " samples each",
-                   kOfSample * samples * drawn_width * drawn_height +
-                       kOfPixel * static_cast<double>(width) * height,
-                   "fewer of either need less");
+  // A drawn pixel has color and depth, as has each sample of the part that is drawn at once; a pixel
+  // passes through copies on its way to the file.
+  constexpr double kOfDrawn = 8, kOfPixel = 32;
+  gl::Target::refuse_large(drawn_width, drawn_height);
+  const double samples = supersample > 1 ? gl::kLargestPart * double{gl::kLargestPart} : 0;
+  io::refuse_large(
+      "a picture of " + std::to_string(width) + "x" + std::to_string(height) + " pixels",
+      kOfDrawn * (samples + static_cast<double>(drawn_width) * drawn_height) +
+          kOfPixel * static_cast<double>(width) * height,
+      "fewer need less");
 }
 
-io::TextEntries look_entries(const view::ColorScale& scale, int supersample) {
+io::TextEntries look_entries(const Look& look, const view::ColorScale& scale) {
   io::TextEntries entries{{"color_by", std::string(scale.field->name)}};
   if (!scale.categorical()) {
     entries.emplace_back("colormap", scale.map_name);
     entries.emplace_back("scale", io::number_text(scale.min) + "," + io::number_text(scale.max));
   }
-  entries.emplace_back("supersample", std::to_string(supersample));
+  entries.emplace_back("draw", view::name_of(look.draw));
+  entries.emplace_back("quality", view::name_of(look.quality));
+  entries.emplace_back("supersample", std::to_string(look.samples()));
+  if (!look.overlays.empty()) {
+    entries.emplace_back("overlay", look.overlays.names());
+    entries.emplace_back("trail", io::number_text(look.trail));
+  }
+  if (look.caption) entries.emplace_back("caption", "true");
+  if (look.transparent) entries.emplace_back("transparent", "true");
+  if (look.dpi > 0) entries.emplace_back("dpi", std::to_string(look.dpi));
   return entries;
+}
+
+io::TextEntries camera_entries(const view::Camera& camera) {
+  io::TextEntries entries{{"camera", camera.spec()}};
+  if (camera.moved() || camera.targeted()) {
+    const Eigen::Vector3d& target = camera.target();
+    entries.emplace_back("camera_target", io::number_text(target.x()) + ',' +
+                                              io::number_text(target.y()) + ',' +
+                                              io::number_text(target.z()));
+  }
+  return entries;
+}
+
+io::PngOptions png_options(const Look& look) {
+  return {.alpha = look.transparent, .dpi = look.dpi};
+}
+
+void unmultiply(io::Image& scene) {
+  for (std::size_t i = 0; i < scene.rgba.size(); i += 4) {
+    const int alpha = scene.rgba[i + 3];
+    if (alpha == 0 || alpha == 255) continue;
+    for (std::size_t c = i; c < i + 3; ++c) {
+      scene.rgba[c] = static_cast<std::uint8_t>(std::min(255, scene.rgba[c] * 255 / alpha));
+    }
+  }
+}
+
+double paint_scale_bar(io::Image& scene, view::TextPainter& text, const view::Camera& camera,
+                       double size, view::Rgb ink) {
+  const double unit = scene.height / (2 * camera.half_height());
+  double length = gl::kGridSpacing;
+  while (length * unit < 2 * size) length *= 2;
+  const double right = scene.width - 0.8 * size, left = right - length * unit;
+  const double bottom = scene.height - 0.8 * size, tick = 0.3 * size;
+  if (left < 0.8 * size || scene.height < kLeastForWords) return 0;
+  const auto stroke = [&](double x0, double y0, double x1, double y1) {
+    view::line(scene, Eigen::Vector2d(x0, y0), Eigen::Vector2d(x1, y1), size / 9, ink, 1);
+  };
+  stroke(left, bottom, right, bottom);
+  stroke(left, bottom - tick, left, bottom + tick);
+  stroke(right, bottom - tick, right, bottom + tick);
+  view::paint_label(scene, text, (left + right) / 2, bottom - 0.5 * size,
+                    {{view::tick_label(length)}}, size, ink, view::Align::centre);
+  return scene.width - left;
+}
+
+std::vector<Eigen::Vector3d> centres_of(const LitterView& litter) {
+  std::vector<Eigen::Vector3d> centres;
+  for (int pup = 0; pup < litter.pups; ++pup) centres.push_back(litter.positions.mean(pup));
+  return centres;
 }
 
 }  // namespace pupflow::pictures

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "app/context/context.h"
 #include "app/gl/renderer.h"
@@ -12,6 +14,7 @@
 #include "app/view/camera.h"
 #include "app/view/color_bar.h"
 #include "app/view/draw_list.h"
+#include "app/view/marks.h"
 #include "app/view/text.h"
 #include "pupflow/simulation.h"
 
@@ -27,15 +30,15 @@ struct Headless {
   std::unique_ptr<gl::Renderer> renderer;
 };
 
-/// The litter of `params` at t = 0, of which each step records what `field` needs. Throws
+/// The litter of `params` at t = 0, of which each step records `parts`. Throws
 /// Failure(bad_input) with every problem when the parameters are unsound.
-Simulation observed_litter(const Params& params, const Field& field);
+Simulation observed_litter(const Params& params, PartSet parts);
 
 /// Pictures of `width` x `height` pixels, with or without a legend.
 class Picture {
  public:
-  /// Throws Failure(bad_input) when a side or the samples are out of range or the legend leaves no
-  /// room for the scene.
+  /// Throws Failure(bad_input) when a side or the samples are out of range. There is no legend where
+  /// it would take more than half of the picture's width.
   Picture(int width, int height, bool bar, const Look& look);
 
   /// Width over height of the scene's part, which is as tall as the picture.
@@ -45,25 +48,34 @@ class Picture {
   /// memory does not suffice.
   void refuse_large() const;
 
-  /// The litter as `camera` sees it. The renderer's context must be current. Throws
-  /// Failure(bad_input) when the driver allows no picture of that size with the look's samples.
+  /// Tells of the litter between pictures, for trails. Does nothing without them.
+  void watch(const LitterView& litter);
+
+  /// The litter as `camera` sees it. In a sequence, automatic scales follow the data within half a
+  /// second of the model. The renderer's context must be current. Throws Failure(bad_input) when
+  /// the driver allows no picture of that size with the look's samples.
   io::Image draw(gl::Renderer& renderer, const LitterView& litter, const view::Camera& camera);
 
   /// What a file carries beside the parameters so that the last picture can be made again.
   io::TextEntries look_entries() const;
 
  private:
-  io::Image with_legend(const io::Image& scene, double tp);
+  view::ColorScale scale_for(const LitterView& litter);
+  void add_overlays(io::Image& scene, const LitterView& litter, const view::Camera& camera);
+  io::Image with_legend(io::Image scene, double tp);
 
   int width_, height_;
   bool bar_;
-  view::ColorScale scale_;
-  int supersample_;
+  Look look_;
   view::ColorBarStyle style_;
   view::ColorBarMargins margins_;
   int bar_width_ = 0, scene_width_ = 0;
   view::DrawList list_;
   view::TextPainter text_;
+  view::Marks marks_;
+  view::Trails trails_;
+  std::optional<view::ColorScale> shown_;  // by the last picture
+  double shown_at_ = 0;                    // model seconds
 };
 
 /// Throws Failure(bad_input) unless 1 <= supersample <= kMostSamples.
@@ -74,7 +86,25 @@ void check_samples(int supersample);
 /// context must be current.
 void refuse_large(int width, int height, int drawn_width, int drawn_height, int supersample);
 
-/// How files name the field, the colors and the samples of a picture with this fitted scale.
-io::TextEntries look_entries(const view::ColorScale& scale, int supersample);
+/// How files name what a picture with this look and this fitted scale shows.
+io::TextEntries look_entries(const Look& look, const view::ColorScale& scale);
+
+/// Where a picture was taken from.
+io::TextEntries camera_entries(const view::Camera& camera);
+
+/// What of `look` decides how a PNG is written.
+io::PngOptions png_options(const Look& look);
+
+/// A scene without background, as the renderer draws it, with colors that are not premultiplied.
+void unmultiply(io::Image& scene);
+
+/// Paints a scale bar, one square of the floor's grid long where the camera's target is, into the
+/// lower right corner of a scene, with text of that size. Returns how far it reaches from the right;
+/// 0 where there is no room for it.
+double paint_scale_bar(io::Image& scene, view::TextPainter& text, const view::Camera& camera,
+                       double size, view::Rgb ink);
+
+/// The pups' centres.
+std::vector<Eigen::Vector3d> centres_of(const LitterView& litter);
 
 }  // namespace pupflow::pictures

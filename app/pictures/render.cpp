@@ -25,6 +25,10 @@ void check_job(const RenderJob& job) {
     io::refuse("no frame after step " + std::to_string(job.at.front()) +
                ": the checkpoint is at step " + std::to_string(job.from->step));
   }
+  if (job.follow && (*job.follow < 0 || *job.follow >= job.params.pups)) {
+    io::refuse("there is no pup " + std::to_string(*job.follow) + " to follow; the litter has " +
+               std::to_string(job.params.pups) + ", numbered from 0");
+  }
   if (job.at.size() > 1 && !io::has_number(job.output.path)) {
     throw io::Failure(io::ExitCode::bad_input,
                       job.output.path +
@@ -58,17 +62,21 @@ class Writer {
   explicit Writer(const RenderJob& job) : job_(job) {}
 
   /// Throws what writing the frame before threw.
-  void write(const Simulation& litter, io::Image image, const io::TextEntries& look) {
+  void write(const Simulation& litter, io::Image image, const view::Camera& camera,
+             const io::TextEntries& look) {
     finish();
     const std::int64_t step = litter.steps_done();
     io::TextEntries extra{{"picture", "render"}};
     io::add_state(litter, extra);
-    extra.emplace_back("camera", job_.camera.spec());
+    const io::TextEntries seen = camera_entries(camera);
+    extra.insert(extra.end(), seen.begin(), seen.end());
+    extra.emplace_back("size", std::to_string(image.width) + "x" + std::to_string(image.height));
+    extra.emplace_back("bar", job_.bar ? "true" : "false");
     extra.insert(extra.end(), look.begin(), look.end());
     frame_ = std::move(image);
     pending_ = thread_.run([this, step, extra] {
       io::write_png(io::frame_path(job_.output.path, step), frame_,
-                    io::provenance(job_.params, extra), job_.output.force);
+                    io::provenance(job_.params, extra), job_.output.force, png_options(job_.look));
     });
   }
 
@@ -96,14 +104,14 @@ class Writer {
 
 /// The litter to begin with. What its colors show is recorded from the first frame on.
 Simulation first_litter(const RenderJob& job) {
-  const Field& field = *job.look.scale.field;
-  if (!job.from) return observed_litter(job.params, field);
+  if (!job.from) return observed_litter(job.params, job.look.parts());
   Simulation simulation(*job.from);
-  simulation.set_observed(field.parts);
+  simulation.set_observed(job.look.parts());
   return simulation;
 }
 
-void advance(Simulation& simulation, std::int64_t step, io::Progress& progress, Writer& writer) {
+void advance(Simulation& simulation, std::int64_t step, Picture& picture, io::Progress& progress,
+             Writer& writer) {
   while (simulation.steps_done() < step) {
     if (io::interrupted()) {
       throw io::Failure(io::ExitCode::interrupted, "interrupted after step " +
@@ -114,6 +122,7 @@ void advance(Simulation& simulation, std::int64_t step, io::Progress& progress, 
     if (!status.ok()) {
       throw io::Failure(io::ExitCode::bad_numbers, status.message() + "; " + writer.summary());
     }
+    picture.watch(simulation.view());
     progress.update(simulation.steps_done());
   }
 }
@@ -125,16 +134,17 @@ void render(const RenderJob& job) {
   Simulation simulation = first_litter(job);
   simulation.set_threads(job.threads);
   Picture picture(job.width, job.height, job.bar, job.look);
-  const view::Camera camera = view::framed(job.camera, job.params, picture.scene_aspect());
+  view::Camera camera = view::framed(job.camera, job.params, picture.scene_aspect());
   const Headless headless(job.look);
   picture.refuse_large();
   check_outputs(job);
   Writer writer(job);
   io::Progress progress("render", job.at.back(), job.output.quiet);
   for (const std::int64_t step : job.at) {
-    advance(simulation, step, progress, writer);
+    advance(simulation, step, picture, progress, writer);
+    if (job.follow) camera.look_at(simulation.view().positions.mean(*job.follow));
     io::Image frame = picture.draw(*headless.renderer, simulation.view(), camera);
-    writer.write(simulation, std::move(frame), picture.look_entries());
+    writer.write(simulation, std::move(frame), camera, picture.look_entries());
   }
   writer.finish();
 }

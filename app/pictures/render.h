@@ -19,7 +19,8 @@ struct RenderJob {
   int threads = 1;               // that share a step
   int width = 1280, height = 960;
   view::Camera camera = view::Camera::parse(view::Camera::kUsual);
-  bool bar = true;  // draw the legend of the colors
+  std::optional<int> follow;  // keep this pup in the middle
+  bool bar = true;            // draw the legend of the colors
   Look look;
   Output output;  // path may hold one %d (with width, e.g. %05d) for the step
 };

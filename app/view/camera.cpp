@@ -92,8 +92,14 @@ double Camera::half_height() const {
   return distance_ * kTanHalfView;
 }
 
+void Camera::look_at(const Eigen::Vector3d& target) {
+  target_ = target;
+  targeted_ = true;
+}
+
 void Camera::frame(double arena_radius, double height, double aspect) {
   if (fixed_distance_ || moved_) return;
+  const Eigen::Vector3d given = target_;
   target_.setZero();
   const double tangent[2] = {kTanHalfView * aspect / kMargin, kTanHalfView / kMargin};
   // A point at (u, v, w) in camera axes is in the picture when |u - shift| <= tangent (d - w), and
@@ -117,6 +123,7 @@ void Camera::frame(double arena_radius, double height, double aspect) {
     distance_ = std::max(distance_, (least[a] + most[a]) / 2);
     target_ += tangent[a] * (most[a] - least[a]) / 2 * axis[a];
   }
+  if (targeted_) target_ = given;
 }
 
 void Camera::orbit(double d_azimuth, double d_elevation) {

@@ -40,6 +40,12 @@ class Camera {
   /// Whether it was turned or moved since it was parsed (orbit, pan, zoom).
   bool moved() const { return moved_; }
 
+  /// Whether its target was given (look_at).
+  bool targeted() const { return targeted_; }
+
+  /// Looks at `target` from now on, which framing leaves where it is; the distance stays.
+  void look_at(const Eigen::Vector3d& target);
+
   /// Moves along the line of sight, and sideways, until an arena of this radius, with something
   /// `height` tall on it, fills a picture of that aspect (width / height). Keeps the angles. Does
   /// nothing when the specification gave a distance, and once the camera was moved by hand.
@@ -81,7 +87,7 @@ class Camera {
   Projection projection_ = Projection::perspective;
   double azimuth_ = 0, elevation_ = 0;
   double distance_ = 10;
-  bool fixed_distance_ = false, moved_ = false;
+  bool fixed_distance_ = false, moved_ = false, targeted_ = false;
   std::string typed_;
   Eigen::Vector3d target_ = Eigen::Vector3d::Zero();
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 namespace pupflow::view {
 
@@ -25,9 +26,12 @@ void blend(io::Image& image, int x, int y, Rgb color, double cover) {
   if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
   std::uint8_t* pixel = image.pixel(x, y);
   cover = std::clamp(cover, 0.0, 1.0);
-  mix(pixel[0], color.r, cover);
-  mix(pixel[1], color.g, cover);
-  mix(pixel[2], color.b, cover);
+  // Where the picture is transparent, its own color counts the less.
+  const double below = pixel[3] / 255.0 * (1 - cover), all = below + cover;
+  if (!(all > 0)) return;
+  mix(pixel[0], color.r, cover / all);
+  mix(pixel[1], color.g, cover / all);
+  mix(pixel[2], color.b, cover / all);
   mix(pixel[3], 255, cover);
 }
 
@@ -62,6 +66,74 @@ void line(io::Image& image, double x0, double y0, double x1, double y1, double w
       const double cover_across = std::clamp(half - std::abs(across) + 0.5, 0.0, 1.0);
       const double cover_along = std::clamp(std::min(along, length - along) + 0.5, 0.0, 1.0);
       blend(image, x, y, color, std::min(cover_across, width) * cover_along);
+    }
+  }
+}
+
+void line(io::Image& image, const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width,
+          Rgb color, double opacity) {
+  const double half = width / 2, margin = half + 1;
+  const Eigen::Vector2d along = to - from;
+  const double length2 = std::max(along.squaredNorm(), 1e-12);
+  const Eigen::Vector2d low = from.cwiseMin(to), high = from.cwiseMax(to);
+  const int top = std::max(0, static_cast<int>(std::floor(std::max(low.y() - margin, 0.0))));
+  const int bottom = static_cast<int>(std::min<double>(image.height, std::ceil(high.y() + margin)));
+  for (int y = top; y < bottom; ++y) {
+    // The stretch of the line near this row.
+    double begin = low.x(), end = high.x();
+    if (std::abs(along.y()) > 1e-9) {
+      const auto x_at = [&](double row) {
+        return from.x() + along.x() * std::clamp((row - from.y()) / along.y(), 0.0, 1.0);
+      };
+      begin = std::min(x_at(y - margin), x_at(y + 1 + margin));
+      end = std::max(x_at(y - margin), x_at(y + 1 + margin));
+    }
+    const int left = static_cast<int>(std::max(0.0, std::floor(begin - margin)));
+    const int right = static_cast<int>(std::min<double>(image.width, std::ceil(end + margin)));
+    for (int x = left; x < right; ++x) {
+      const Eigen::Vector2d place(x + 0.5, y + 0.5);
+      const double share = std::clamp((place - from).dot(along) / length2, 0.0, 1.0);
+      const double cover = half + 0.5 - (place - from - share * along).norm();
+      if (cover > 0) blend(image, x, y, color, opacity * std::min(cover, 1.0));
+    }
+  }
+}
+
+void fill(io::Image& image, std::span<const Eigen::Vector2d> corners, Rgb color, double opacity) {
+  constexpr int kRows = 4;  // samples of a pixel's height
+  if (corners.size() < 3) return;
+  double low = corners[0].y(), high = low;
+  for (const Eigen::Vector2d& corner : corners) {
+    low = std::min(low, corner.y());
+    high = std::max(high, corner.y());
+  }
+  const int top = static_cast<int>(std::max(0.0, std::floor(low)));
+  const int bottom = static_cast<int>(std::min<double>(image.height, std::ceil(high)));
+  std::vector<double> cover(static_cast<std::size_t>(image.width));
+  std::vector<double> crossings;
+  for (int y = top; y < bottom; ++y) {
+    std::ranges::fill(cover, 0);
+    for (int sample = 0; sample < kRows; ++sample) {
+      const double row = y + (sample + 0.5) / kRows;
+      crossings.clear();
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Eigen::Vector2d &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        if ((a.y() <= row) == (b.y() <= row)) continue;
+        crossings.push_back(a.x() + (row - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+      }
+      std::ranges::sort(crossings);
+      for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+        const double begin = std::max(0.0, crossings[i]);
+        const double end = std::min<double>(image.width, crossings[i + 1]);
+        for (int x = static_cast<int>(begin); x < std::ceil(end); ++x) {
+          const double part = std::min(end, x + 1.0) - std::max(begin, static_cast<double>(x));
+          cover[static_cast<std::size_t>(x)] += part / kRows;
+        }
+      }
+    }
+    for (int x = 0; x < image.width; ++x) {
+      const double share = cover[static_cast<std::size_t>(x)];
+      if (share > 0) blend(image, x, y, color, opacity * share);
     }
   }
 }

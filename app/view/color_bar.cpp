@@ -21,15 +21,7 @@ struct Tick {
   std::string label;
 };
 
-bool is_temperature(const Field& field) {
-  return field.symbol.starts_with("T_");
-}
-
 std::vector<Tick> ticks_of(const ColorScale& scale) {
-  constexpr double kPi = std::numbers::pi;
-  if (scale.field->kind == FieldKind::angle) {
-    return {{-kPi, "\u2212π"}, {-kPi / 2, "\u2212π/2"}, {0, "0"}, {kPi / 2, "π/2"}, {kPi, "π"}};
-  }
   std::vector<Tick> ticks;
   const double least = scale.field->digits == 0 ? 1 : 0;
   for (const double value : round_ticks(scale.min, scale.max, kTicks, least)) {
@@ -68,6 +60,7 @@ std::size_t longest_label(const ColorScale& scale) {
     longest = kOfData;
   } else {
     for (const Tick& tick : ticks_of(scale)) longest = std::max(longest, length(tick.label));
+    if (scale.ends != Ends::field) longest = std::max(longest, kOfData);
   }
   return longest;
 }
@@ -92,6 +85,20 @@ void add_categories(ColorBar& layout, const Box& bar, const ColorScale& scale, d
     const int y = bar.y + static_cast<int>(std::lround((category - first) * row));
     add_swatch(layout, {bar.x, y, bar.width, side}, scale(category),
                category_label(scale, category), size);
+  }
+}
+
+/// Triangles in the colors of the ends beyond which there are values.
+void add_ends(ColorBar& layout, const Box& bar, const ColorScale& scale) {
+  const double left = bar.x - 1, right = bar.x + bar.width + 1, middle = (left + right) / 2;
+  const double height = 0.7 * bar.width, top = bar.y - 1, bottom = bar.y + bar.height + 1;
+  if (scale.above) {
+    layout.triangles.push_back(
+        {{{left, top}, {right, top}, {middle, top - height}}, scale(scale.max)});
+  }
+  if (scale.below) {
+    layout.triangles.push_back(
+        {{{left, bottom}, {right, bottom}, {middle, bottom + height}}, scale(scale.min)});
   }
 }
 
@@ -122,14 +129,46 @@ void add_bar(ColorBar& layout, const Box& bar, const ColorScale& scale, double t
   if (scale.field->kind == FieldKind::signed_ && on_scale(scale.field->centre)) {
     line_across(scale.field->centre);
   }
-  if (is_temperature(*scale.field) && on_scale(tp)) {
+  add_ends(layout, bar, scale);
+  if (!scale.is_temperature()) return;
+  const double tip = bar.x - 2, head = 0.45 * size;
+  if (on_scale(tp)) {
     // An arrow head from the left, so that it never meets a tick's label.
-    const double y = height_of(tp), tip = bar.x - 2;
-    layout.arrow = ColorBar::Arrow{tip, y, 0.45 * size};
+    const double y = height_of(tp);
+    layout.triangles.push_back(
+        {{{tip, y}, {tip - head, y - 0.25 * size}, {tip - head, y + 0.25 * size}}, {}});
     line_across(tp);
     layout.labels.push_back(
         {tip - 0.75 * size, y + 0.3 * size, symbol("T", "p"), size, Align::right});
+    return;
   }
+  // An arrow head at the end beyond which it lies, and its value.
+  const bool up = tp > scale.max;
+  const double towards = up ? -1 : 1, x = tip - 0.95 * size;
+  const double y = up ? bar.y : bar.y + bar.height;
+  layout.triangles.push_back(
+      {{{x, y}, {x - 0.3 * size, y - towards * head}, {x + 0.3 * size, y - towards * head}}, {}});
+  layout.labels.push_back({x + 0.65 * size, y - towards * head + (up ? 1.05 : -0.35) * size,
+                           symbol("T", "p"), size, Align::right});
+}
+
+/// Tick of an angle.
+void add_wheel_label(ColorBar& layout, double x, double y, const char* text, double size,
+                     Align align) {
+  layout.labels.push_back({x, y + kTickText * size, {{text}}, size, align});
+}
+
+/// Where an angle points on the wheel it points in the arena seen from above.
+void add_wheel(ColorBar& layout, const Box& bar, const ColorScale& scale, double size) {
+  const double outer = 1.6 * size, gap = 0.3 * size;
+  const Eigen::Vector2d centre(bar.x + 2 * size, bar.y + bar.height / 2.0);
+  layout.wheel = ColorBar::Wheel{centre, 0.55 * outer, outer, scale.map};
+  add_wheel_label(layout, centre.x() + outer + gap, centre.y(), "0", size, Align::left);
+  add_wheel_label(layout, centre.x(), centre.y() - outer - gap - 0.4 * size, "π/2", size,
+                  Align::centre);
+  add_wheel_label(layout, centre.x() - outer - gap, centre.y(), "π", size, Align::right);
+  add_wheel_label(layout, centre.x(), centre.y() + outer + gap + 0.4 * size, "\u2212π/2", size,
+                  Align::centre);
 }
 
 }  // namespace
@@ -172,6 +211,8 @@ ColorBar lay_out_color_bar(const Box& bar, const ColorBarMargins& margins, const
   const double size = style.text_size;
   if (scale.categorical()) {
     add_categories(layout, bar, scale, size);
+  } else if (scale.field->kind == FieldKind::angle) {
+    add_wheel(layout, bar, scale, size);
   } else {
     add_bar(layout, bar, scale, tp, size);
   }
@@ -192,18 +233,39 @@ ColorBar lay_out_color_bar(const Box& bar, const ColorBarMargins& margins, const
   return layout;
 }
 
+namespace {
+
+void draw_wheel(io::Image& image, const ColorBar::Wheel& wheel) {
+  const auto first = [&](double at) { return static_cast<int>(std::floor(at - wheel.outer - 1)); };
+  const auto last = [&](double at) { return static_cast<int>(std::ceil(at + wheel.outer + 1)); };
+  for (int y = first(wheel.centre.y()); y < last(wheel.centre.y()); ++y) {
+    for (int x = first(wheel.centre.x()); x < last(wheel.centre.x()); ++x) {
+      const Eigen::Vector2d away = Eigen::Vector2d(x + 0.5, y + 0.5) - wheel.centre;
+      const double r = away.norm();
+      const double cover = std::min(wheel.outer - r, r - wheel.inner) + 0.5;
+      if (cover <= 0) continue;
+      blend(image, x, y, wheel_color(wheel, std::atan2(-away.y(), away.x())), std::min(cover, 1.0));
+    }
+  }
+}
+
+}  // namespace
+
+Rgb wheel_color(const ColorBar::Wheel& wheel, double angle) {
+  const double turn = angle / (2 * std::numbers::pi) + 0.5;
+  const auto index = static_cast<std::size_t>(std::clamp(turn, 0.0, 1.0) * kColormapSize);
+  return wheel.map[std::min<std::size_t>(index, kColormapSize - 1)];
+}
+
 void draw_color_bar(io::Image& image, TextPainter& text, const ColorBar& layout, Rgb ink) {
   for (const ColorBar::Fill& part : layout.fills) fill(image, part.box, part.color);
   for (const Box& box : layout.frames) frame(image, box, 1, ink);
   for (const ColorBar::Stroke& s : layout.strokes)
     line(image, s.x0, s.y0, s.x1, s.y1, s.width, ink);
-  if (layout.arrow) {
-    const ColorBar::Arrow& arrow = *layout.arrow;
-    for (int step = 0; step <= std::lround(arrow.length); ++step) {
-      const double x = arrow.tip_x - step - 1;
-      line(image, x, arrow.tip_y - 0.55 * step, x, arrow.tip_y + 0.55 * step + 0.01, 1, ink);
-    }
+  for (const ColorBar::Triangle& triangle : layout.triangles) {
+    fill(image, triangle.corners, triangle.color.value_or(ink), 1);
   }
+  if (layout.wheel) draw_wheel(image, *layout.wheel);
   for (const ColorBar::Label& label : layout.labels) {
     if (label.upwards) {
       text.draw_upwards(image, label.x, label.y, label.text, label.size, ink);

@@ -2,6 +2,7 @@
 // category. One layout, which the pictures and the window each paint.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,8 +41,14 @@ struct ColorBar {
   struct Stroke {
     double x0, y0, x1, y1, width;
   };
-  struct Arrow {  // a triangle pointing right
-    double tip_x, tip_y, length;
+  struct Triangle {
+    Eigen::Vector2d corners[3];
+    std::optional<Rgb> color;  // none: ink
+  };
+  struct Wheel {  // colors around a centre, counter-clockwise from the right
+    Eigen::Vector2d centre;
+    double inner, outer;
+    Colormap map;  // from -pi to pi
   };
   struct Label {
     double x, y;  // of its baseline; where it reads upwards its middle
@@ -53,17 +60,21 @@ struct ColorBar {
   std::vector<Fill> fills;
   std::vector<Box> frames;  // one pixel wide, just inside the box
   std::vector<Stroke> strokes;
-  std::optional<Arrow> arrow;
+  std::vector<Triangle> triangles;
+  std::optional<Wheel> wheel;
   std::vector<Label> labels;
 };
 
-/// The legend of a fitted scale in `bar`: ticks and labels to its right, the title along it,
-/// or over the swatches. Where
-/// the field is a temperature, the preferred temperature `tp` is marked if it lies on the scale.
-/// Values that are not known have a swatch below. `margins` are those of the scale before it was
-/// fitted.
+/// The legend of a fitted scale in `bar`: ticks and labels to its right, the title along it, or
+/// over the swatches. Triangles at its ends say that there are values beyond. An angle has a wheel
+/// instead. Where the field is a temperature, the preferred temperature `tp` is marked; beyond the
+/// scale by a triangle that points there. Values that are not known have a swatch below. `margins`
+/// are those of the scale before it was fitted.
 ColorBar lay_out_color_bar(const Box& bar, const ColorBarMargins& margins, const ColorScale& scale,
                            double tp, const ColorBarStyle& style);
+
+/// The color of an angle in -pi ... pi.
+Rgb wheel_color(const ColorBar::Wheel& wheel, double angle);
 
 /// Paints it into a picture.
 void draw_color_bar(io::Image& image, TextPainter& text, const ColorBar& layout, Rgb ink);

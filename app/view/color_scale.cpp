@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "app/io/failure.h"
 #include "app/io/text.h"
@@ -12,6 +14,7 @@ namespace pupflow::view {
 namespace {
 
 constexpr int kTicks = 5;
+constexpr double kLeastWidth = 0.02;  // of a scale from the data, of the field's drawn range
 
 [[noreturn]] void fail(const std::string& what) {
   throw io::Failure(io::ExitCode::bad_input, what);
@@ -31,11 +34,60 @@ std::string_view usual_map(FieldKind kind) {
   return "viridis";
 }
 
+/// The value below which a share of `known` lies; reorders it.
+double quantile(std::vector<double>& known, double share) {
+  const auto place =
+      static_cast<std::ptrdiff_t>(share * static_cast<double>(known.size() - 1) + 0.5);
+  std::ranges::nth_element(known, known.begin() + place);
+  return known[static_cast<std::size_t>(place)];
+}
+
+/// Sets both ends of `scale` from the middle of `known`.
+void take_middle(ColorScale& scale, std::vector<double>& known, double tp) {
+  double low = 0, high = 1;
+  if (!known.empty()) low = quantile(known, 0.05), high = quantile(known, 0.95);
+  // Differences that no reader could use are not spread over all colors.
+  const double drawn = scale.field->high - scale.field->low;
+  const double least = kLeastWidth * (drawn > 0 ? drawn : std::max(std::abs(low), std::abs(high)));
+  const double lacking = std::max(std::max(least, 1e-9) - (high - low), 0.0);
+  low -= lacking / 2;
+  high += lacking / 2;
+  const bool around = scale.ends == Ends::around_tp;
+  if (around || scale.field->kind == FieldKind::signed_) {
+    const double centre = around ? tp : scale.field->centre;
+    const double reach = std::max(high - centre, centre - low);
+    low = centre - reach;
+    high = centre + reach;
+  }
+  scale.min = low;
+  scale.max = high;
+}
+
 /// The ends of a scale, where they are round numbers.
 void round_outwards(ColorScale& scale, bool low_end, bool high_end, double least) {
   const double spacing = tick_spacing(scale.min, scale.max, kTicks, least);
   if (low_end) scale.min = spacing * std::floor(scale.min / spacing + 1e-9);
   if (high_end) scale.max = spacing * std::ceil(scale.max / spacing - 1e-9);
+}
+
+/// Sets the open ends of `scale` to those of the values, rounded outwards.
+void take_all(ColorScale& scale, double low, double high) {
+  const bool low_end = std::isnan(scale.min), high_end = std::isnan(scale.max);
+  if (!low_end && !high_end) return;
+  if (!(low <= high)) low = 0, high = 1;  // nothing is known
+  if (scale.field->kind == FieldKind::signed_) {
+    const double reach = std::max(high - scale.field->centre, scale.field->centre - low);
+    low = scale.field->centre - reach;
+    high = scale.field->centre + reach;
+  }
+  if (low_end) scale.min = high_end ? low : std::min(low, scale.max);
+  if (high_end) scale.max = std::max(high, scale.min);
+  if (scale.categorical()) return;
+  const double width = scale.max - scale.min;
+  if (width <= 1e-9 * std::max(1.0, std::abs(scale.max))) {  // one value
+    (high_end ? scale.max : scale.min) += high_end ? 1 : -1;
+  }
+  round_outwards(scale, low_end, high_end, scale.field->digits == 0 ? 1 : 0);
 }
 
 }  // namespace
@@ -72,36 +124,55 @@ void ColorScale::set_range(double low, double high) {
   }
   min = low;
   max = high;
+  ends = Ends::typed;
 }
 
-ColorScale ColorScale::fitted(std::span<const double> values) const {
+void ColorScale::set_ends(Ends from) {
+  const std::string name(field->name);
+  if (categorical()) fail(name + " is categorical: it has no scale");
+  if (field->kind == FieldKind::angle) fail(name + " is an angle: its scale is always -pi to pi");
+  if (from == Ends::around_tp) {
+    if (!is_temperature()) fail(name + " is no temperature: T_p has no place on its scale");
+    if (map_name == usual_map(field->kind)) set_map("bluered");
+  }
+  ends = from;
+  const bool open = from == Ends::automatic || from == Ends::around_tp;
+  min = open ? kFromData : field->low;
+  max = open ? kFromData : field->high;
+}
+
+ColorScale ColorScale::fitted(std::span<const double> values, double tp) const {
   ColorScale scale = *this;
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  std::vector<double> known;
   for (const double value : values) {
-    if (std::isnan(value)) {
-      scale.unknown = true;
-    } else if (std::isfinite(value)) {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
+    scale.unknown = scale.unknown || std::isnan(value);
+    if (std::isfinite(value)) known.push_back(value);
   }
-  const bool low_end = std::isnan(min), high_end = std::isnan(max);
-  if (!low_end && !high_end) return scale;
-  if (!(low <= high)) low = 0, high = 1;  // nothing is known
-  if (field->kind == FieldKind::signed_) {
-    const double reach = std::max(high - field->centre, field->centre - low);
-    low = field->centre - reach;
-    high = field->centre + reach;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double value : known) low = std::min(low, value), high = std::max(high, value);
+  if (std::isnan(min) && (ends == Ends::automatic || ends == Ends::around_tp)) {
+    take_middle(scale, known, tp);
+  } else {
+    take_all(scale, low, high);
   }
-  if (low_end) scale.min = high_end ? low : std::min(low, max);
-  if (high_end) scale.max = std::max(high, scale.min);
-  if (categorical()) return scale;
-  const double least = field->digits == 0 ? 1 : 0;
-  const double width = scale.max - scale.min;
-  if (width <= 1e-9 * std::max(1.0, std::abs(scale.max))) {  // one value
-    (high_end ? scale.max : scale.min) += high_end ? 1 : -1;
-  }
-  round_outwards(scale, low_end, high_end, least);
+  scale.below = low < scale.min;
+  scale.above = high > scale.max && !known.empty();
+  return scale;
+}
+
+void ColorScale::follow_data() {
+  if (!categorical() && field->kind != FieldKind::angle) set_ends(Ends::automatic);
+}
+
+bool ColorScale::follows(const ColorScale& before) const {
+  return ends != Ends::field && ends != Ends::typed && ends == before.ends &&
+         field->name == before.field->name && map_name == before.map_name;
+}
+
+ColorScale ColorScale::eased(const ColorScale& before, double share) const {
+  ColorScale scale = *this;
+  scale.min = before.min + share * (min - before.min);
+  scale.max = before.max + share * (max - before.max);
   return scale;
 }
 
@@ -125,7 +196,13 @@ Rgb ColorScale::operator()(double value) const {
 
 bool ColorScale::same_as(const ColorScale& other) const {
   return field->name == other.field->name && map_name == other.map_name && min == other.min &&
-         max == other.max && unknown == other.unknown;
+         max == other.max && unknown == other.unknown && below == other.below &&
+         above == other.above;
+}
+
+double easing(double seconds) {
+  constexpr double kHalfSecond = 0.5;
+  return 1 - std::exp(-seconds / kHalfSecond);
 }
 
 double tick_spacing(double low, double high, int count, double least) {

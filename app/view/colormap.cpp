@@ -49,10 +49,11 @@ Colors make_bluered() {
   return colors;
 }
 
-/// The hues of one lightness and one chroma in Oklab (Ottosson 2020), all the way round. 0, in the
-/// middle of the map, is the hue of red.
+/// All hues round at one chroma in Oklab (Ottosson 2020). 0, in the middle of the map, is the hue
+/// of red. Green is lighter than purple, so that eyes that lack a kind of cone see two
+/// dimensions, too.
 Colors make_phase() {
-  constexpr double kLightness = 0.72, kChroma = 0.125, kRedHue = 0.51;
+  constexpr double kLightness = 0.66, kSwing = 0.2, kLightHue = 2.7, kChroma = 0.11, kRedHue = 0.51;
   const auto encoded = [](double c) {
     c = std::clamp(c, 0.0, 1.0);
     return byte(255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055));
@@ -61,10 +62,11 @@ Colors make_phase() {
   for (std::size_t i = 0; i < colors.size(); ++i) {
     const double turn = (static_cast<double>(i) + 0.5) / kColormapSize - 0.5;
     const double hue = kRedHue + 2 * std::numbers::pi * turn;
+    const double lightness = kLightness + kSwing * std::cos(hue - kLightHue);
     const double a = kChroma * std::cos(hue), b = kChroma * std::sin(hue);
-    const double l = std::pow(kLightness + 0.3963377774 * a + 0.2158037573 * b, 3);
-    const double m = std::pow(kLightness - 0.1055613458 * a - 0.0638541728 * b, 3);
-    const double s = std::pow(kLightness - 0.0894841775 * a - 1.2914855480 * b, 3);
+    const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
+    const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
+    const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
     colors[i] = {encoded(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
                  encoded(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
                  encoded(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
@@ -72,20 +74,21 @@ Colors make_phase() {
   return colors;
 }
 
-/// ColorBrewer's Paired, the dark ones first, without its pale yellow.
+/// Found by simulated annealing: at least 24 CIE Lab units apart, and from floor and greys, for
+/// usual eyes and those that lack a kind of cone (Machado et al. 2009). The first ones differ most.
 Colors make_categories() {
-  constexpr std::array<Rgb, kCategoryColors> kDistinct{{{31, 120, 180},
-                                                        {227, 26, 28},
-                                                        {51, 160, 44},
-                                                        {255, 127, 0},
-                                                        {106, 61, 154},
-                                                        {177, 89, 40},
-                                                        {166, 206, 227},
-                                                        {251, 154, 153},
-                                                        {178, 223, 138},
-                                                        {253, 191, 111},
-                                                        {202, 178, 214},
-                                                        {230, 200, 20}}};
+  constexpr std::array<Rgb, kCategoryColors> kDistinct{{{20, 63, 182},
+                                                        {220, 123, 27},
+                                                        {103, 240, 169},
+                                                        {161, 122, 171},
+                                                        {151, 14, 44},
+                                                        {112, 48, 126},
+                                                        {109, 130, 255},
+                                                        {255, 156, 255},
+                                                        {162, 234, 121},
+                                                        {113, 152, 110},
+                                                        {239, 216, 63},
+                                                        {149, 80, 0}}};
   Colors colors;
   for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = kDistinct[i % kDistinct.size()];
   return colors;

@@ -2,54 +2,94 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "app/view/camera.h"
 #include "app/view/color_scale.h"
+#include "app/view/drawing.h"
+#include "app/view/light.h"
+#include "app/view/skin_mesh.h"
 #include "pupflow/view.h"
 
 namespace pupflow::view {
 
-/// One point of a pup, laid out as it is uploaded.
-struct Sphere {
-  float x, y, z;  // centre, arena units
+/// A place and its color, lit, laid out as it is uploaded. `a` is the share that it covers.
+struct Vertex {
+  float x, y, z;  // arena units
   std::uint8_t r, g, b, a;
 };
-static_assert(sizeof(Sphere) == 16);
+static_assert(sizeof(Vertex) == 16);
 
-/// The rim around the arena, in arena radii: its height above the floor, its depth below it
-/// (pressed points sink in a little), and its width outside the arena.
-constexpr float kRimHeight = 0.035f, kRimDepth = 0.025f, kRimWidth = 0.03f;
+/// Triangles of vertices.
+struct Triangles {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;  // three for each triangle
 
-enum class Culling {
-  none,
-  hidden  // leave out points on the far side of a pup whose skin has no holes
+  void clear() {
+    vertices.clear();
+    indices.clear();
+  }
 };
 
-/// The arena and the visible points of a litter. Its arrays are reused from frame to frame.
+/// The arena around a litter: how far its slab reaches outside the wall and below the floor
+/// (pressed points sink in a little), in arena radii.
+constexpr float kSlabDepth = 0.025f, kRimWidth = 0.03f;
+
+/// The arena and the visible bodies of a litter. Its arrays are reused from frame to frame.
 class DrawList {
  public:
-  /// Fills the list for a look through `camera`. Each point gets the color of its value of
-  /// `scale.field`: its own, or its pup's. The scale is fitted to this litter where the data decides
-  /// its ends. Bounds are those of all points, culled or not. With Culling::hidden the list must be
-  /// updated when the camera turns or moves.
+  /// Fills the list for a look through `camera`; it must be updated when the camera turns or moves.
+  /// Each point gets the color of its value of `scale.field`, its own or its pup's, under the light
+  /// that falls on it. The scale is fitted to this litter where the data decides its ends. Bounds
+  /// are those of all points, culled or not.
   void update(const LitterView& litter, const ColorScale& scale, const Camera& camera,
-              Culling culling = Culling::hidden);
+              const Drawing& drawing = {});
 
-  std::span<const Sphere> spheres() const { return spheres_; }
+  std::span<const Vertex> spheres() const { return spheres_; }
+  const Triangles& skin() const { return skin_; }
+  const Triangles& outline() const { return outline_; }   // soft, around the skin
+  std::span<const Ball> balls() const { return balls_; }  // outlines of the bodies
+  const FloorLight& floor() const { return floor_; }      // empty without shadows
+  const Drawing& drawing() const { return drawing_; }     // of the last update
+
   float sphere_radius() const { return sphere_radius_; }
   float arena_radius() const { return arena_radius_; }
-  const Bounds& bounds() const { return bounds_; }    // of spheres and arena
+  float wall_height() const { return wall_height_; }
+  const Bounds& bounds() const { return bounds_; }    // of bodies and arena
   const ColorScale& scale() const { return scale_; }  // of the last update, fitted
 
  private:
-  std::vector<Sphere> spheres_;
-  std::vector<float> xyz_;      // of one pup
-  std::vector<double> values_;  // of the field that is shown
+  struct Body;  // what is known of one pup while it is added
+
+  void find_bodies(const LitterView& litter);
+  void add_spheres(const Body& body, const Light& light);
+  void add_skin(const Body& body, const Light& light);
+  void add_cells(const Body& body, const SkinMesh& mesh, const std::vector<Vertex>& vertices,
+                 const std::vector<float>& brightness);
+  void add_outline(const Body& body, const SkinMesh& mesh, const std::vector<Vertex>& vertices);
+  const SkinMesh& mesh_for(float pixels);  // for a radius of so many samples
+  const SkinMesh& whole_mesh();
+  Rgb color(const Body& body, std::size_t point) const;
+
+  std::vector<Vertex> spheres_;
+  Triangles skin_, outline_;
+  FloorLight floor_;
+  Drawing drawing_;
   ColorScale scale_;
-  float sphere_radius_ = 0, arena_radius_ = 0;
+  float sphere_radius_ = 0, arena_radius_ = 0, wall_height_ = 0;
   Bounds bounds_;
+
+  // Of the last update.
+  Camera camera_;
+  int face_points_ = 0;
+  std::vector<float> xyz_;                          // of the litter
+  std::vector<double> values_;                      // of the field that is shown
+  std::vector<Ball> balls_;                         // radius 0 where a pup's numbers went bad
+  std::map<std::pair<int, int>, SkinMesh> meshes_;  // by points on an edge, and halvings
+  SkinShape shape_;
 };
 
 }  // namespace pupflow::view

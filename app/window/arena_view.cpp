@@ -14,33 +14,23 @@ namespace {
 
 constexpr const char* kPattern = "pupflow-%05d.png";
 
-/// Where a picture was taken from.
-io::TextEntries camera_entries(const view::Camera& camera) {
-  io::TextEntries entries{{"camera", camera.spec()}};
-  if (camera.moved()) {
-    const Eigen::Vector3d& target = camera.target();
-    entries.emplace_back("camera_target", io::number_text(target.x()) + ',' +
-                                              io::number_text(target.y()) + ',' +
-                                              io::number_text(target.z()));
-  }
-  return entries;
-}
-
 }  // namespace
 
-ArenaView::ArenaView(const pictures::Look& look) : renderer_(look.shader_dir) {}
+ArenaView::ArenaView(const pictures::Look& look) : look_(look), renderer_(look.shader_dir) {}
 
 bool ArenaView::draw(const LiveState& snapshot, bool fresh, const view::ColorScale& scale,
                      int width, int height, int samples) {
   const LitterView litter = snapshot.view();
   camera_ = view::framed(camera_, litter.params, static_cast<double>(width) / height);
-  const bool reload =
-      fresh || camera_ != drawn_camera_ || !drawn_scale_ || !scale.same_as(*drawn_scale_);
+  const view::Drawing drawing{
+      .draw = look_.draw, .quality = look_.quality, .rows = height * samples};
+  const bool reload = fresh || drawing.rows != list_.drawing().rows || camera_ != drawn_camera_ ||
+                      !drawn_scale_ || !scale.same_as(*drawn_scale_);
   const bool same_store =
       store_.width() == width && store_.height() == height && samples == drawn_samples_;
   if (!reload && same_store) return false;
   if (reload) {
-    list_.update(litter, scale, camera_);
+    list_.update(litter, scale, camera_, drawing);
     renderer_.upload(list_);
   }
   store_.resize(width, height);
@@ -65,10 +55,11 @@ void ArenaView::write_picture(const std::string& path, const LiveState& snapshot
   const auto add = [&](const io::TextEntries& more) {
     extra.insert(extra.end(), more.begin(), more.end());
   };
-  add(camera_entries(camera));
+  add(pictures::camera_entries(camera));
   if (snapshot.hash) add({{"hash", io::hash_text(*snapshot.hash)}});
   add(picture.look_entries());
-  io::write_png(path, image, io::provenance(litter.recipe, extra), false);
+  io::write_png(path, image, io::provenance(litter.recipe, extra), false,
+                pictures::png_options(look));
 }
 
 std::string picture_path(const std::string& pattern, std::int64_t step) {

@@ -44,6 +44,7 @@ class ArenaView {
                      const pictures::Look& look);
 
  private:
+  pictures::Look look_;  // how bodies are drawn
   gl::Renderer renderer_;
   gl::Target store_;
   view::DrawList list_;

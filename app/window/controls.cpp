@@ -26,6 +26,7 @@ void Controls::follow(const Params& in_force, const Schedule& schedule) {
 
 void Controls::color_by(const LitterField& field) {
   look.scale = view::ColorScale(field);
+  look.scale.follow_data();
   commands.push_back(ColorBy{&field});
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pupflow::window {
 namespace {
@@ -59,6 +60,20 @@ void draw_label(ImDrawList& list, const ImFont& font, const view::ColorBar::Labe
   }
 }
 
+void paint_wheel(ImDrawList& list, const view::ColorBar::Wheel& wheel) {
+  constexpr int kSteps = 96;
+  const auto at = [&](double angle, double radius) {
+    return place(wheel.centre.x() + radius * std::cos(angle),
+                 wheel.centre.y() - radius * std::sin(angle));
+  };
+  for (int i = 0; i < kSteps; ++i) {
+    const double step = 2 * std::numbers::pi / kSteps, begin = i * step - std::numbers::pi;
+    list.AddQuadFilled(at(begin, wheel.inner), at(begin, wheel.outer),
+                       at(begin + step, wheel.outer), at(begin + step, wheel.inner),
+                       packed(view::wheel_color(wheel, begin + step / 2)));
+  }
+}
+
 void paint(ImDrawList& list, const ImFont& font, const view::ColorBar& layout) {
   const auto low = [](const view::Box& box) { return place(box.x, box.y); };
   const auto high = [](const view::Box& box) {
@@ -71,11 +86,12 @@ void paint(ImDrawList& list, const ImFont& font, const view::ColorBar& layout) {
   for (const auto& s : layout.strokes) {
     list.AddLine(place(s.x0, s.y0), place(s.x1, s.y1), kFaint, static_cast<float>(s.width));
   }
-  if (layout.arrow) {
-    const auto& [x, y, length] = *layout.arrow;
-    list.AddTriangleFilled(place(x, y), place(x - length, y - 0.55 * length),
-                           place(x - length, y + 0.55 * length), kInk);
+  for (const auto& [corners, color] : layout.triangles) {
+    list.AddTriangleFilled(place(corners[0].x(), corners[0].y()),
+                           place(corners[1].x(), corners[1].y()),
+                           place(corners[2].x(), corners[2].y()), color ? packed(*color) : kInk);
   }
+  if (layout.wheel) paint_wheel(list, *layout.wheel);
   for (const auto& label : layout.labels) draw_label(list, font, label);
 }
 

@@ -138,7 +138,12 @@ void LiveWindow::observe(bool observed) {
 /// After the panels, which may have chosen another field.
 void LiveWindow::fit_scale() {
   const view::ColorScale& wanted = controls_.look.scale;
-  scale_ = wanted.fitted(wanted.field->values(runner_.snapshot().view()));
+  const LitterView litter = runner_.snapshot().view();
+  const view::ColorScale fitted =
+      wanted.fitted(wanted.field->values(litter), litter.params.preferred_temperature);
+  const bool goes_on = fitted.follows(scale_) && litter.time >= scale_time_;
+  scale_ = goes_on ? fitted.eased(scale_, view::easing(litter.time - scale_time_)) : fitted;
+  scale_time_ = litter.time;
 }
 
 void LiveWindow::paint(const Layout& layout) {
@@ -149,7 +154,7 @@ void LiveWindow::paint(const Layout& layout) {
   glfwGetFramebufferSize(window_.handle(), &width, &height);
   const int x = pixels(layout.arena.corner.x);
   const int arena_width = std::min(pixels(layout.arena.size.x), width - x);
-  const int samples = schedule_.samples(controls_.look.supersample);
+  const int samples = schedule_.samples(controls_.look.samples());
   arena_.draw(runner_.snapshot(), schedule_.fresh(), scale_, std::max(arena_width, 1),
               std::max(height, 1), samples);
   clear(gl::Palette{}.background);

@@ -61,6 +61,7 @@ class LiveWindow {
   RedrawSchedule schedule_;
   std::string message_;
   view::ColorScale scale_;  // the look's, fitted to the snapshot that is shown
+  double scale_time_ = 0;   // model seconds of the snapshot that it was fitted to
   bool observed_ = false;   // the panels showed the observables in the last frame
 };
 

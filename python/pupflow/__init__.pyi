@@ -768,7 +768,8 @@ class Litter:
         ) -> NDArray[np.uint8]:
         """A picture of the litter: a numpy array (height, width, 3) of uint8. Needs no display.
 
-        color_by: a field of a pup or an afferent. colormap and scale (low, high): by default the field's.
+        color_by: a field of a pup or an afferent. colormap: by default the field's. scale (low, high): by default
+        the middle 90 % of what is seen, where the field has a scale.
         camera: 'top', 'side' or 'orbit:azimuth,elevation[,distance]'. bar: draw the legend.
         Raises RuntimeError where there is no OpenGL, with what to install.
         """

@@ -5,6 +5,8 @@
 #include <csignal>
 #include <thread>
 
+#include "app/io/png.h"
+#include "app/io/provenance.h"
 #include "program.h"
 #include "tests/support/scratch.h"
 
@@ -77,7 +79,8 @@ TEST_F(CliGraphics, RenderHandsOverItsJob) {
   EXPECT_EQ(plain.code, 0) << plain.err;
   EXPECT_EQ(plain.out,
             "render seed=1 at 40\n1280x960 camera=orbit:30,35 bar=1\n"
-            "tb by viridis 0..1 n=2 verbose=0 shaders='' out=frames/%05d.png force=0 quiet=0\n");
+            "tb by viridis nan..nan n=1 verbose=0 shaders='' out=frames/%05d.png force=0 quiet=0\n"
+            "draw=skin quality=normal overlay= trail=1 caption=0 transparent=0 dpi=0\n");
   const Outcome full = pupflow(
       {"render",  "cold",          "--seed", "9",         "--at",         "30,0,30,2", "--size",
        "64x48",   "--camera",      "top",    "--no-bar",  "--colormap",   "cividis",   "--scale",
@@ -85,7 +88,8 @@ TEST_F(CliGraphics, RenderHandsOverItsJob) {
        "a%d.png", "--force",       "--quiet"});
   EXPECT_EQ(full.out,
             "render seed=9 at 0 2 30\n64x48 camera=top bar=0\n"
-            "tb by cividis -1..0.5 n=3 verbose=1 shaders='.' out=a%d.png force=1 quiet=1\n");
+            "tb by cividis -1..0.5 n=3 verbose=1 shaders='.' out=a%d.png force=1 quiet=1\n"
+            "draw=skin quality=normal overlay= trail=1 caption=0 transparent=0 dpi=0\n");
   EXPECT_THAT(pupflow({"render", "--every", "10", "--steps", "35"}).out,
               HasSubstr("at 10 20 30\n"));
 }
@@ -98,13 +102,56 @@ TEST_F(CliGraphics, AnyFieldIsShownInColorsByItsOwnScale) {
     const std::string last = out.substr(out.find('\n', out.find('\n') + 1) + 1);
     return last.substr(0, last.find(" n="));
   };
-  EXPECT_EQ(look({"--color-by", "exposed"}), "exposed by viridis 0..1");
+  EXPECT_EQ(look({"--color-by", "exposed"}), "exposed by viridis nan..nan");
+  EXPECT_EQ(look({"--color-by", "exposed", "--scale", "field"}), "exposed by viridis 0..1");
+  EXPECT_EQ(look({"--scale", "around-tp"}), "tb by bluered nan..nan");
   EXPECT_EQ(look({"--color-by", "strain", "--scale", "0,0.1"}), "strain by viridis 0..0.1");
-  EXPECT_EQ(look({"--color-by", "deformation"}), "deformation by viridis 0..nan");
-  EXPECT_EQ(look({"--color-by", "turn"}), "turn by bluered -1.5708..1.5708");
+  EXPECT_EQ(look({"--color-by", "deformation"}), "deformation by viridis nan..nan");
+  EXPECT_EQ(look({"--color-by", "turn", "--scale", "field"}), "turn by bluered -1.5708..1.5708");
   EXPECT_EQ(look({"--color-by", "heading"}), "heading by phase -3.14159..3.14159");
   EXPECT_EQ(look({"--color-by", "side"}), "side by  0..1");
   EXPECT_THAT(pupflow({"figure1", "--color-by", "group"}).out, HasSubstr("group by "));
+  EXPECT_THAT(pupflow({"figure1"}).out, HasSubstr("tb by viridis 0..1"));
+}
+
+TEST_F(CliGraphics, TheLookIsHandedOver) {
+  give_module();
+  const std::string out = pupflow({"render", "--draw", "both", "--quality", "print", "--overlay",
+                                   "ids,contacts", "--trail", "2.5", "--caption", "--transparent",
+                                   "--dpi", "300", "--target", "0.5,-1,0.3"})
+                              .out;
+  EXPECT_THAT(out, HasSubstr("target=0.5,-1,0.3\n"));
+  EXPECT_THAT(out, HasSubstr("n=3 "));
+  EXPECT_THAT(out, HasSubstr("draw=both quality=print overlay=contacts,ids trail=2.5 caption=1 "
+                             "transparent=1 dpi=300\n"));
+  EXPECT_THAT(pupflow({"render", "--follow", "3"}).out, HasSubstr("follow=3\n"));
+}
+
+TEST_F(CliGraphics, LikeAPictureGivesItsLookBack) {
+  give_module();
+  Params params;
+  params.seed = 7;
+  const io::TextEntries extra{{"picture", "render"},       {"step", "300"},
+                              {"camera", "orbit:10,20,9"}, {"camera_target", "0.5,1,0.25"},
+                              {"size", "320x200"},         {"bar", "false"},
+                              {"color_by", "exposed"},     {"colormap", "inferno"},
+                              {"scale", "0.1,0.4"},        {"draw", "points"},
+                              {"quality", "fast"},         {"supersample", "2"},
+                              {"overlay", "ids"},          {"trail", "3"},
+                              {"caption", "true"},         {"dpi", "150"}};
+  io::write_png(scratch_.path("f.png"), io::Image(2, 2), io::provenance(params, extra), false);
+  EXPECT_EQ(pupflow({"render", "--like", "f.png"}).out,
+            "render seed=7 at 300\n320x200 camera=orbit:10,20,9 bar=0 target=0.5,1,0.25\n"
+            "exposed by inferno 0.1..0.4 n=2 verbose=0 shaders='' out=frames/%05d.png force=0 "
+            "quiet=0\n"
+            "draw=points quality=fast overlay=ids trail=3 caption=1 transparent=0 dpi=150\n");
+  // What is typed changes what it names, and what depends on it.
+  const std::string typed = pupflow({"render", "--like", "f.png", "--color-by", "tb", "--quality",
+                                     "print", "--at", "5", "--camera", "top"})
+                                .out;
+  EXPECT_THAT(typed, HasSubstr("at 5\n320x200 camera=top bar=0\n"));
+  EXPECT_THAT(typed, HasSubstr("tb by viridis nan..nan n=3 "));
+  EXPECT_THAT(typed, HasSubstr("draw=points quality=print overlay=ids "));
 }
 
 TEST_F(CliGraphics, ColorByRefusesWhatCannotBe) {
@@ -130,6 +177,18 @@ TEST_F(CliGraphics, RenderRefusesBadOptions) {
   refused({"render", "--scale", "1,0"});
   refused({"render", "--scale", "0"});
   refused({"render", "--supersample", "0"});
+  EXPECT_THAT(refused({"render", "--draw", "skins"}), HasSubstr("points or skin or both"));
+  EXPECT_THAT(refused({"figure1", "--quality", ""}), HasSubstr("fast or normal or print"));
+  EXPECT_THAT(refused({"figure1", "--overlay", "trail"}), HasSubstr("did you mean 'trails'?"));
+  EXPECT_THAT(refused({"render", "--scale", "around-tp", "--color-by", "speed"}),
+              HasSubstr("no temperature"));
+  refused({"render", "--scale", "automatic"});
+  refused({"render", "--trail", "0"});
+  refused({"render", "--dpi", "0"});
+  refused({"render", "--target", "1,2"});
+  refused({"render", "--target", "1,2,1e9"});
+  refused({"render", "--target", "1,2,3", "--follow", "1"});
+  refused({"render", "--follow", "first"});
   refused({"render", "--at", "1,-2"});
   refused({"render", "--at", "1", "--every", "2"});
   refused({"render", "--every", "2000"});

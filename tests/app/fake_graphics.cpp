@@ -19,10 +19,14 @@ using pictures::RenderJob;
 using window::LiveJob;
 
 void print_look(const Look& look, const Output& output) {
-  std::printf("%s by %s %g..%g n=%d verbose=%d shaders='%s' out=%s force=%d quiet=%d\n",
-              std::string(look.scale.field->name).c_str(), std::string(look.scale.map_name).c_str(),
-              look.scale.min, look.scale.max, look.supersample, look.verbose,
-              look.shader_dir.c_str(), output.path.c_str(), output.force, output.quiet);
+  std::printf(
+      "%s by %s %g..%g n=%d verbose=%d shaders='%s' out=%s force=%d quiet=%d\n"
+      "draw=%s quality=%s overlay=%s trail=%g caption=%d transparent=%d dpi=%d\n",
+      std::string(look.scale.field->name).c_str(), std::string(look.scale.map_name).c_str(),
+      look.scale.min, look.scale.max, look.samples(), look.verbose, look.shader_dir.c_str(),
+      output.path.c_str(), output.force, output.quiet, std::string(name_of(look.draw)).c_str(),
+      std::string(name_of(look.quality)).c_str(), look.overlays.names().c_str(), look.trail,
+      look.caption, look.transparent, look.dpi);
 }
 
 class FakeGraphics : public Graphics {
@@ -30,8 +34,12 @@ class FakeGraphics : public Graphics {
   void render(const RenderJob& job) override {
     std::printf("render seed=%lld at", static_cast<long long>(job.params.seed));
     for (const std::int64_t step : job.at) std::printf(" %lld", static_cast<long long>(step));
-    std::printf("\n%dx%d camera=%s bar=%d\n", job.width, job.height, job.camera.spec().c_str(),
+    std::printf("\n%dx%d camera=%s bar=%d", job.width, job.height, job.camera.spec().c_str(),
                 job.bar);
+    const Eigen::Vector3d& target = job.camera.target();
+    if (job.camera.targeted()) std::printf(" target=%g,%g,%g", target.x(), target.y(), target.z());
+    if (job.follow) std::printf(" follow=%d", *job.follow);
+    std::printf("\n");
     print_look(job.look, job.output);
   }
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "app/io/read_file.h"
 #include "failing.h"
 #include "tests/support/scratch.h"
 
@@ -35,6 +36,18 @@ TEST(Png, PixelsReadBackOpaque) {
   for (std::size_t i = 0; i < image.rgba.size(); ++i) {
     ASSERT_EQ(back.rgba[i], i % 4 == 3 ? 255 : image.rgba[i]) << "byte " << i;
   }
+}
+
+TEST(Png, KeepsAlphaAndResolutionWhereAsked) {
+  const test::Scratch scratch;
+  const Image image = gradient(37, 21);
+  write_png(scratch.path("a.png"), image, {}, false, {.alpha = true, .dpi = 300});
+  EXPECT_EQ(read_png(scratch.path("a.png")).rgba, image.rgba);
+  const std::string bytes = read_file(scratch.path("a.png"), 1 << 20);
+  const std::size_t chunk = bytes.find("pHYs");
+  ASSERT_NE(chunk, std::string::npos);
+  EXPECT_EQ(bytes.substr(chunk + 4, 9),
+            std::string("\0\0\x2e\x23\0\0\x2e\x23\1", 9));  // 11811 a metre
 }
 
 TEST(Png, TextReadsBackInOrder) {

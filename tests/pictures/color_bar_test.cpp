@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pupflow::view {
@@ -55,14 +56,38 @@ TEST(ColorBar, ShowsTheMapFromBottomToTop) {
   }
 }
 
-TEST(ColorBar, MarksThePreferredTemperatureOnlyOnTheScale) {
+TEST(ColorBar, MarksThePreferredTemperatureWhereItIsOrAtTheEndBeyondWhichItIs) {
   const ColorScale scale("viridis", 0, 1);
-  const io::Image with = bar_picture(scale, 0.6), without = bar_picture(scale, 1.2);
-  const Box left{0, 0, kBar.x - 2, 300};
-  EXPECT_TRUE(has_ink(with, left));
-  EXPECT_FALSE(has_ink(without, left));
+  const io::Image on = bar_picture(scale, 0.6), above = bar_picture(scale, 1.2),
+                  below = bar_picture(scale, -0.3);
+  const auto marked = [&](const io::Image& image, double share) {
+    const int row = kBar.y + static_cast<int>(kBar.height * share);
+    return has_ink(image, {0, std::max(row - 25, 0), kBar.x - 2, 50});
+  };
+  EXPECT_TRUE(marked(on, 0.4));
+  EXPECT_FALSE(marked(on, 0.05));
+  EXPECT_TRUE(marked(above, 0.05));
+  EXPECT_FALSE(marked(above, 0.5));
+  EXPECT_TRUE(marked(below, 0.95));
+  EXPECT_FALSE(marked(below, 0.5));
   const int row = kBar.y + static_cast<int>(kBar.height * 0.4);
-  EXPECT_NE(color_at(with, kBar.x + 15, row), color_at(without, kBar.x + 15, row));
+  EXPECT_NE(color_at(on, kBar.x + 15, row), color_at(above, kBar.x + 15, row));
+}
+
+TEST(ColorBar, TrianglesSayThatValuesLieBeyondTheEnds) {
+  const Box over{kBar.x + 5, 0, kBar.width - 10, kBar.y - 2};
+  const Box under{kBar.x + 5, kBar.y + kBar.height + 2, kBar.width - 10, 22};
+  ColorScale scale("viridis", 0.2, 0.8);
+  const io::Image inside = bar_picture(scale.fitted(std::vector{0.3, 0.7}), 0.5);
+  EXPECT_FALSE(has_ink(inside, over));
+  EXPECT_FALSE(has_ink(inside, under));
+  const io::Image high = bar_picture(scale.fitted(std::vector{0.3, 0.9}), 0.5);
+  EXPECT_TRUE(has_ink(high, over));
+  EXPECT_FALSE(has_ink(high, under));
+  const io::Image low = bar_picture(scale.fitted(std::vector{0.1, 0.7}), 0.5);
+  EXPECT_FALSE(has_ink(low, over));
+  EXPECT_TRUE(has_ink(low, under));
+  EXPECT_EQ(color_at(low, kBar.x + 15, kBar.y + kBar.height + 4), scale.map.front());
 }
 
 TEST(ColorBar, StaysWithinItsMargins) {
@@ -101,13 +126,13 @@ TEST(ColorBarLayout, OfATemperatureMarksThePreferredOne) {
   EXPECT_THAT(labels_of(layout),
               ElementsAre("0", "0.2", "0.4", "0.6", "0.8", "1", "Tp", "body temperature Tb"));
   EXPECT_TRUE(layout.labels.back().upwards);
-  ASSERT_TRUE(layout.arrow);
-  EXPECT_NEAR(layout.arrow->tip_y, kBar.y + 0.4 * kBar.height, 1);
+  ASSERT_EQ(layout.triangles.size(), 1u);
+  EXPECT_NEAR(layout.triangles[0].corners[0].y(), kBar.y + 0.4 * kBar.height, 1);
 }
 
 TEST(ColorBarLayout, OfAnotherFieldMarksNoTemperature) {
   const ColorBar layout = layout_of("exposed", {0.3});
-  EXPECT_FALSE(layout.arrow);
+  EXPECT_TRUE(layout.triangles.empty());
   EXPECT_EQ(labels_of(layout).back(), "exposed share A");
 }
 
@@ -122,9 +147,27 @@ TEST(ColorBarLayout, OfASignedFieldHasALineAtItsCentre) {
   EXPECT_EQ(labels_of(layout).back(), "turn Δθ (rad/s)");
 }
 
-TEST(ColorBarLayout, OfAnAngleNamesPartsOfPi) {
-  EXPECT_THAT(labels_of(layout_of("heading", {1})),
-              ElementsAre("\u2212π", "\u2212π/2", "0", "π/2", "π", "direction of travel θ (rad)"));
+TEST(ColorBarLayout, OfAnAngleIsAWheelThatNamesPartsOfPi) {
+  const ColorBar layout = layout_of("heading", {1});
+  EXPECT_THAT(labels_of(layout),
+              ElementsAre("0", "π/2", "π", "\u2212π/2", "direction of travel θ (rad)"));
+  ASSERT_TRUE(layout.wheel);
+  const ColorScale scale(*find_field("heading"));
+  for (const double angle : {-3.0, -1.0, 0.0, 0.5, 2.0}) {
+    EXPECT_EQ(wheel_color(*layout.wheel, angle), scale(angle));
+  }
+  io::Image image(200, 300);
+  TextPainter text;
+  draw_color_bar(image, text, layout, {0, 0, 0});
+  const double r = (layout.wheel->inner + layout.wheel->outer) / 2;
+  const auto at = [&](double angle) {
+    return color_at(image, static_cast<int>(layout.wheel->centre.x() + r * std::cos(angle)),
+                    static_cast<int>(layout.wheel->centre.y() - r * std::sin(angle)));
+  };
+  const auto distance = [](Rgb a, Rgb b) {
+    return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+  };
+  for (const double angle : {-1.5, 0.0, 1.5}) EXPECT_LT(distance(at(angle), scale(angle)), 30);
 }
 
 TEST(ColorBarLayout, OfCategoriesHasASwatchForEach) {

@@ -123,10 +123,88 @@ TEST(ColorScale, RefusesWhatItsKindDoesNotHave) {
   EXPECT_THAT(message("group", range), HasSubstr("categorical"));
   EXPECT_THAT(message("heading", range), HasSubstr("angle"));
   EXPECT_EQ(message("turn", range), "taken");
+  const auto automatic = [](ColorScale& scale) { scale.set_ends(Ends::automatic); };
+  EXPECT_THAT(message("group", automatic), HasSubstr("categorical"));
+  EXPECT_THAT(message("heading", automatic), HasSubstr("angle"));
+  EXPECT_THAT(message("turn", [](ColorScale& scale) { scale.set_ends(Ends::around_tp); }),
+              HasSubstr("no temperature"));
   EXPECT_THAT(message("side", [](ColorScale& scale) { scale.set_map("jet"); }),
               HasSubstr("categorical"));
   EXPECT_THAT(message("tb", [](ColorScale& scale) { scale.set_map("rainbow"); }),
               HasSubstr("rainbow"));
+}
+
+std::vector<double> hundred(double first, double last) {
+  std::vector<double> values;
+  for (int i = 0; i <= 100; ++i) values.push_back(first + i * (last - first) / 100);
+  return values;
+}
+
+TEST(ColorScale, AutomaticEndsHoldTheMiddleOfTheValues) {
+  ColorScale scale;
+  scale.set_ends(Ends::automatic);
+  EXPECT_FALSE(scale.is_fitted());
+  const ColorScale fitted = scale.fitted(hundred(0.2, 0.4));
+  EXPECT_NEAR(fitted.min, 0.21, 1e-12);
+  EXPECT_NEAR(fitted.max, 0.39, 1e-12);
+  EXPECT_TRUE(fitted.below);
+  EXPECT_TRUE(fitted.above);
+  EXPECT_EQ(scale.fitted(std::vector{kNan}).max, 1);
+}
+
+TEST(ColorScale, AutomaticEndsDoNotSpreadWhatIsAlmostEqual) {
+  ColorScale scale;
+  scale.set_ends(Ends::automatic);
+  const ColorScale fitted = scale.fitted(std::vector{0.86, 0.861});
+  EXPECT_NEAR(fitted.max - fitted.min, 0.02, 1e-12);
+  EXPECT_NEAR((fitted.max + fitted.min) / 2, 0.8605, 1e-12);
+  EXPECT_FALSE(fitted.below);
+}
+
+TEST(ColorScale, AutomaticEndsOfASignedFieldKeepItsCentre) {
+  ColorScale scale = scale_of("turn");
+  scale.set_ends(Ends::automatic);
+  const ColorScale fitted = scale.fitted(hundred(-0.1, 0.4));
+  EXPECT_NEAR(fitted.max, 0.375, 1e-12);
+  EXPECT_NEAR(fitted.min, -0.375, 1e-12);
+}
+
+TEST(ColorScale, AroundTpHasThePreferredTemperatureInTheMiddle) {
+  ColorScale scale;
+  scale.set_ends(Ends::around_tp);
+  EXPECT_EQ(scale.map_name, "bluered");
+  const ColorScale fitted = scale.fitted(hundred(0.4, 0.5), 0.6);
+  EXPECT_NEAR(fitted.min, 0.405, 1e-12);
+  EXPECT_NEAR(fitted.max, 0.795, 1e-12);
+  EXPECT_EQ(fitted(0.6), fitted.map[128]);
+  ColorScale own("inferno", 0, 1);
+  own.set_ends(Ends::around_tp);
+  EXPECT_EQ(own.map_name, "inferno");
+}
+
+TEST(ColorScale, FollowsTheDataOnlyWhereThereIsAScaleToFit) {
+  for (const char* name : {"tb", "turn", "deformation"}) {
+    ColorScale scale = scale_of(name);
+    scale.follow_data();
+    EXPECT_EQ(scale.ends, Ends::automatic) << name;
+    EXPECT_TRUE(scale.follows(scale)) << name;
+  }
+  for (const char* name : {"group", "heading"}) {
+    ColorScale scale = scale_of(name);
+    scale.follow_data();
+    EXPECT_EQ(scale.ends, Ends::field) << name;
+    EXPECT_FALSE(scale.follows(scale)) << name;
+  }
+  EXPECT_NEAR(easing(0.5), 1 - std::exp(-1), 1e-12);
+  EXPECT_EQ(easing(0), 0);
+}
+
+TEST(ColorScale, EasesTowardsNewEnds) {
+  const ColorScale before("viridis", 0, 1), now("viridis", 1, 3);
+  const ColorScale half = now.eased(before, 0.5);
+  EXPECT_EQ(half.min, 0.5);
+  EXPECT_EQ(half.max, 2);
+  EXPECT_TRUE(now.eased(before, 1).same_as(now));
 }
 
 TEST(Ticks, AreRoundAndWithinTheScale) {

@@ -89,14 +89,13 @@ TEST(Colormap, BlueredIsLightestInTheMiddleAndDarkensToBothSides) {
   }
 }
 
-TEST(Colormap, PhaseClosesAndIsEquallyLight) {
+TEST(Colormap, PhaseCloses) {
   const Colormap map = find_colormap("phase");
   const auto distance = [](Rgb a, Rgb b) {
     return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
   };
   EXPECT_LE(distance(map.front(), map.back()), 8);
   EXPECT_GT(distance(map[0], map[128]), 100);
-  for (const Rgb color : map) EXPECT_NEAR(lightness(color), lightness(map[0]), 8);
 }
 
 TEST(Colormap, CategoriesDiffer) {

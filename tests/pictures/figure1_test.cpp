@@ -177,6 +177,31 @@ TEST(Figure1, PanelsShareOneScaleFromTheDataOfAll) {
   EXPECT_EQ(both, std::max(scale_of({0.2}), scale_of({0.8})));
 }
 
+TEST(Figure1, ACaptionIsInTheCornersOfEachPanel) {
+  const test::Scratch folder;
+  Figure1Job job = small_job(folder);
+  job.params.steps = 50;
+  job.panel = 300;
+  const auto ink_in_corners = [&](bool caption) {
+    job.look.caption = caption;
+    job.output.force = true;
+    figure1(job);
+    const io::Image image = io::read_png(job.output.path);
+    const int top = image.height - 13 - job.panel;  // the margin is 0.8 x 300 / 18 pixels
+    int ink = 0;
+    for (int panel = 0; panel < 3; ++panel) {
+      for (int y = top; y < top + 30; ++y) {
+        for (int x = 0; x < 40; ++x) {
+          ink += color_at(image, 13 + panel * (job.panel + 13) + x, y) != Rgb{255, 255, 255};
+        }
+      }
+    }
+    return ink;
+  };
+  const int without = ink_in_corners(false);
+  EXPECT_GT(ink_in_corners(true), without + 100);
+}
+
 TEST(Figure1, SameJobSamePixels) {
   const test::Scratch folder;
   Figure1Job job = small_job(folder);
@@ -218,7 +243,10 @@ TEST(Figure1, RefusesBadInput) {
   job.panel = 20;
   EXPECT_EQ(code_of(job), io::ExitCode::bad_input);
   job = small_job(folder);
-  job.look.supersample = 0;
+  job.look.supersample = -1;
+  EXPECT_EQ(code_of(job), io::ExitCode::bad_input);
+  job = small_job(folder);
+  job.look.overlays = view::OverlaySet::parse("trails");
   EXPECT_EQ(code_of(job), io::ExitCode::bad_input);
   job = small_job(folder);
   job.ta = {0.2, std::nan("")};

@@ -68,6 +68,30 @@ TEST(Render, AFrameDoesNotDependOnTheFramesBefore) {
             io::read_png(folder.path("0040.png")).rgba);
 }
 
+TEST(Render, AutomaticScalesMoveEvenlyThroughASequence) {
+  const test::Scratch folder;
+  RenderJob job = small_job(folder);
+  job.look.scale.set_ends(view::Ends::automatic);
+  job.params.ambient_temperature = 0.2;
+  job.at = {10, 20, 400};
+  const auto top_of = [&](const char* name) {
+    for (const auto& [key, value] : io::read_png_text(folder.path(name))) {
+      if (key == "scale") return std::stod(value.substr(value.find(',') + 1));
+    }
+    return 0.0;
+  };
+  render(job);
+  const double first = top_of("0010.png"), next = top_of("0020.png"), last = top_of("0400.png");
+  job.at = {20};
+  job.output.force = true;
+  render(job);
+  const double alone = top_of("0020.png");
+  EXPECT_LT(alone, first);
+  EXPECT_GT(next, alone) << "on its way";
+  EXPECT_LT(next, first);
+  EXPECT_LT(last, next);
+}
+
 TEST(Render, CarriesParametersAndStep) {
   const test::Scratch folder;
   RenderJob job = small_job(folder);
@@ -193,6 +217,29 @@ TEST(Render, TheFrameTakesInTheWholeLitter) {
   EXPECT_GT(rows_above_the_litter(0), 0);  // a column that stays
 }
 
+TEST(Render, TheLegendStepsAsideWhereThePictureIsNarrow) {
+  const test::Scratch folder;
+  RenderJob job = small_job(folder);
+  job.at = {0};
+  job.look.caption = true;
+  job.look.overlays = view::OverlaySet::parse("ids,groups");
+  for (const auto& [width, height] : {std::pair{64, 64}, {16, 16}, {100, 900}, {900, 64}}) {
+    job.width = width;
+    job.height = height;
+    job.output.force = true;
+    EXPECT_EQ(failure_of(job).code(), io::ExitCode::done) << width << "x" << height;
+    EXPECT_EQ(io::read_png(folder.path("0000.png")).width, width);
+  }
+  // Nothing is cut off at the right: neither legend nor caption nor scale bar reach the edge.
+  job.width = 330;
+  job.height = 900;
+  render(job);
+  const io::Image image = io::read_png(folder.path("0000.png"));
+  for (int y = 0; y < image.height; ++y) {
+    EXPECT_EQ(color_at(image, image.width - 1, y), (view::Rgb{255, 255, 255})) << y;
+  }
+}
+
 TEST(Render, MakesTheFolderOfNumberedFrames) {
   const test::Scratch folder;
   RenderJob job = small_job(folder);
@@ -213,7 +260,6 @@ TEST(Render, RefusesBadInputBeforeAnyFrame) {
   expect_bad([](RenderJob& job) { job.look.supersample = 100; }, "100");
   expect_bad([](RenderJob& job) { job.width = 0; }, "0x240");
   expect_bad([](RenderJob& job) { job.height = 100000; }, "100000");
-  expect_bad([](RenderJob& job) { job.width = 60; }, "60");
   expect_bad([](RenderJob& job) { job.at = {}; }, "steps");
   expect_bad([](RenderJob& job) { job.at = {-1, 3}; }, "steps");
   expect_bad([&](RenderJob& job) { job.output.path = folder.path("one.png"); }, "%05d");

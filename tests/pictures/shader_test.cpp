@@ -15,8 +15,10 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-constexpr const char* kFiles[] = {"spheres.vert", "spheres.frag", "plane.vert",   "plane.frag",
-                                  "wall.vert",    "wall.frag",    "resolve.vert", "resolve.frag"};
+constexpr const char* kFiles[] = {
+    "spheres.vert", "spheres.frag", "sphere_edges.frag", "skin.vert", "skin.frag",
+    "plane.vert",   "plane.frag",   "wall.vert",         "wall.frag", "rim.vert",
+    "rim.frag",     "resolve.vert", "resolve.frag"};
 
 class ShaderTest : public GlTest {
  protected:
@@ -57,8 +59,8 @@ TEST_F(ShaderTest, AreReadFromAFolderInstead) {
   list.update(Simulation(params), view::ColorScale("viridis", 0, 1), camera);
   Renderer embedded, changed(directory());
   for (Renderer* renderer : {&embedded, &changed}) renderer->upload(list);
-  EXPECT_EQ(color_at(embedded.picture(camera, 64, 64, 1), 32, 32), Palette{}.floor);
-  EXPECT_EQ(color_at(changed.picture(camera, 64, 64, 1), 32, 32), (view::Rgb{0, 255, 0}));
+  EXPECT_EQ(color_at(embedded.picture(camera, 64, 64, 1), 36, 36), Palette{}.floor);
+  EXPECT_EQ(color_at(changed.picture(camera, 64, 64, 1), 36, 36), (view::Rgb{0, 255, 0}));
 }
 
 TEST_F(ShaderTest, AnErrorNamesFileAndLine) {

@@ -1,0 +1,13 @@
+#version 330 core
+
+noperspective in float across;
+
+uniform vec3 color;
+uniform float half_width;
+uniform float opacity;
+
+out vec4 fragment;
+
+void main() {
+  fragment = vec4(color, opacity * clamp(half_width - abs(across), 0.0, 1.0));
+}

@@ -72,7 +72,7 @@ class Params(_Group):
     def alpha(self, value: float) -> None: ...
     @property
     def arena_radius(self) -> float:
-        """arena radius r_arena [length]: > 0 and ≤ 1e+09; 2 by default.
+        """arena radius r_arena [length]: > 1e-06 and ≤ 1e+09; 2 by default.
 
         Radius of the round wall; must exceed r_pup + r_point.
         Defines the litter: only a new Litter takes another value.
@@ -122,7 +122,7 @@ class Params(_Group):
     def drive(self, value: float) -> None: ...
     @property
     def dt(self) -> float:
-        """time step h [s]: > 0 and ≤ 1000; 0.01 by default.
+        """time step h [s]: > 1e-09 and ≤ 1000; 0.01 by default.
 
         Length of a step. Rigidity acts per step, so 0.01 is part of the model.
         A change acts from the next step on.
@@ -222,7 +222,7 @@ class Params(_Group):
     def k2(self, value: float) -> None: ...
     @property
     def point_radius(self) -> float:
-        """point radius r_point [length]: > 0 and ≤ 1e+06; 0.05 by default.
+        """point radius r_point [length]: > 1e-06 and ≤ 1e+06; 0.05 by default.
 
         Radius of the sphere at each point, by which it touches.
         Defines the litter: only a new Litter takes another value.
@@ -242,7 +242,7 @@ class Params(_Group):
     def precision(self, value: Literal["float", "double"]) -> None: ...
     @property
     def pup_radius(self) -> float:
-        """pup radius r_pup [length]: > 0 and ≤ 1e+06; 0.25 by default.
+        """pup radius r_pup [length]: > 1e-06 and ≤ 1e+06; 0.25 by default.
 
         Radius of the sphere on which a pup's points rest.
         Defines the litter: only a new Litter takes another value.
@@ -591,7 +591,7 @@ class Litter:
     def alpha(self, value: float) -> None: ...
     @property
     def arena_radius(self) -> float:
-        """arena radius r_arena [length]: > 0 and ≤ 1e+09; 2 by default.
+        """arena radius r_arena [length]: > 1e-06 and ≤ 1e+09; 2 by default.
 
         Radius of the round wall; must exceed r_pup + r_point.
         Defines the litter: only a new Litter takes another value.
@@ -650,7 +650,7 @@ class Litter:
     def drive(self, value: float) -> None: ...
     @property
     def dt(self) -> float:
-        """time step h [s]: > 0 and ≤ 1000; 0.01 by default.
+        """time step h [s]: > 1e-09 and ≤ 1000; 0.01 by default.
 
         Length of a step. Rigidity acts per step, so 0.01 is part of the model.
         A change acts from the next step on.
@@ -818,7 +818,7 @@ class Litter:
         """All parameters by name, as attributes and as items."""
     @property
     def point_radius(self) -> float:
-        """point radius r_point [length]: > 0 and ≤ 1e+06; 0.05 by default.
+        """point radius r_point [length]: > 1e-06 and ≤ 1e+06; 0.05 by default.
 
         Radius of the sphere at each point, by which it touches.
         Defines the litter: only a new Litter takes another value.
@@ -849,7 +849,7 @@ class Litter:
         """All fields of a pup by name, arrays (pups,), as attributes and as items."""
     @property
     def pup_radius(self) -> float:
-        """pup radius r_pup [length]: > 0 and ≤ 1e+06; 0.25 by default.
+        """pup radius r_pup [length]: > 1e-06 and ≤ 1e+06; 0.25 by default.
 
         Radius of the sphere on which a pup's points rest.
         Defines the litter: only a new Litter takes another value.

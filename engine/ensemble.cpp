@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -61,7 +62,12 @@ void for_each_index(std::int64_t count, int threads,
   };
   std::vector<std::jthread> helpers;
   const auto wanted = std::min<std::int64_t>(std::max(threads, 1), count);
-  for (std::int64_t i = 1; i < wanted; ++i) helpers.emplace_back(work);
+  helpers.reserve(static_cast<std::size_t>(wanted));
+  try {
+    for (std::int64_t i = 1; i < wanted; ++i) helpers.emplace_back(work);
+  } catch (const std::system_error&) {
+    // no more of them to be had: fewer do the work
+  }
   work();
   helpers.clear();  // joins
   if (failure) std::rethrow_exception(failure);

@@ -130,6 +130,8 @@ Status steer(const Params& params, SteeringParts parts, const Cloud<Real>& cloud
   const std::optional<double> imposed = state.action(pup).turn;
   if (course && !turns && !imposed && !parts.sides) return {};
   const double direction = course ? state.heading[pup] : body_axis(cloud, state, pup);
+  if (!std::isfinite(direction))
+    return {Status::Kind::non_finite, Stage::steering, state.step + 1, pup, -1};
   double delta = 0;
   if (turns || parts.sides) {
     std::uint8_t* const left = parts.sides ? state.left.data() + state.flat(pup) : nullptr;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cassert>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -11,12 +12,18 @@
 namespace pupflow {
 
 /// All workers but the first. They wait for `round_` to change. The job is written before that, and
-/// does not change until all have finished the round.
+/// does not change until all have finished the round. Where the system gives fewer threads than
+/// asked for, the first worker does the work of those that are missing.
 class Team::Threads {
  public:
   explicit Threads(int count) {
-    for (int i = 1; i <= count; ++i) {
-      threads_.emplace_back([this, i] { serve(i); });
+    threads_.reserve(static_cast<std::size_t>(count));
+    try {
+      for (int i = 1; i <= count; ++i) {
+        threads_.emplace_back([this, i] { serve(i); });
+      }
+    } catch (const std::system_error&) {
+      // no more of them to be had
     }
   }
 
@@ -36,6 +43,7 @@ class Team::Threads {
     busy_.store(static_cast<int>(threads_.size()), std::memory_order_relaxed);
     begin_round();
     work(0);
+    for (int i = static_cast<int>(threads_.size()) + 1; i < workers; ++i) work(i);
     for (int busy = busy_.load(); busy != 0; busy = busy_.load()) busy_.wait(busy);
     if (failed_.exchange(false)) std::rethrow_exception(std::exchange(failure_, nullptr));
   }

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Shared by demo, check and scripts/lint, which source it: finds the source tree, installs what is
+# Shared by demo, check and the others of scripts, which source it: finds the source tree, installs what is
 # missing (Debian and Ubuntu), configures and builds. Does nothing by itself.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -13,6 +13,7 @@ check_packages=(libgtest-dev libgmock-dev clang-format-14 xvfb xdotool imagemagi
   libopenmpi-dev openmpi-bin libbenchmark-dev libarmadillo-dev
   python3-brian python3-h5py python3-h5netcdf python3-matplotlib python3-xarray)
 lint_packages=(clang-tidy-14)
+fuzz_packages=(clang-14 libclang-rt-14-dev libgtest-dev libgmock-dev)
 
 say() { printf '\n== %s\n' "$*"; }
 

@@ -14,7 +14,8 @@ Verb add_compare(CLI::App& program) {
                   "Two folders of sweeps, or their summary.csv, with the same points")
       ->option_text(" ")
       ->required()
-      ->expected(2);
+      ->expected(2)
+      ->check(not_empty);
   app->footer(
       "Shows the differences of the means in units of their combined standard error\n"
       "sqrt(sd1^2 / runs1 + sd2^2 / runs2).");

@@ -50,7 +50,7 @@ void work(const Options& options) {
   io::set_up(options.common.settings);  // checked like everywhere
   std::vector<io::Row> rows = build_rows();
   std::vector<std::string> advice;
-  const bool plots = io::is_program("gnuplot");
+  const bool plots = !io::program_path("gnuplot").empty();
   rows.push_back({"figures", plots ? "gnuplot found" : "no gnuplot"});
   const bool ranks = is_module_there(io::kMpiModule);
   rows.push_back({"mpi", ranks ? "module found: mpirun and srun spread sweeps" : "not built"});

@@ -53,7 +53,9 @@ io::About about_scene(const std::string& path) {
   about.kind = "scene";
   about.params = scene.params;
   about.facts.emplace_back("title", io::printable(scene.title));
-  about.facts.emplace_back("description", io::printable(scene.description));
+  std::string description = scene.description;
+  std::replace(description.begin(), description.end(), '\n', ' ');
+  about.facts.emplace_back("description", io::printable(description));
   return about;
 }
 

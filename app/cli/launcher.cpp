@@ -52,13 +52,14 @@ std::string command_line() {
   return words;
 }
 
+constexpr const char* kLostAfter = "PUPFLOW_LOST_AFTER";
+
 std::chrono::seconds lost_after(std::chrono::seconds default_value) {
-  constexpr const char* kVariable = "PUPFLOW_LOST_AFTER";
-  const char* text = std::getenv(kVariable);
+  const char* text = std::getenv(kLostAfter);
   if (!text) return default_value;
-  const std::optional<int> seconds = number_in(kVariable);
+  const std::optional<int> seconds = number_in(kLostAfter);
   if (seconds && *seconds >= 1) return std::chrono::seconds(*seconds);
-  io::refuse(std::string(kVariable) + ": must be a whole number of seconds, at least 1, not " +
+  io::refuse(std::string(kLostAfter) + ": must be a whole number of seconds, at least 1, not " +
              io::quoted(text));
 }
 
@@ -72,12 +73,35 @@ mpi::RankInfo launched_rank() {
   return self;
 }
 
-bool is_silent_rank(int argc, char** argv) {
+namespace {
+
+bool joined = false;  // whether this rank has begun to talk to the others
+
+bool computes_runs(int argc, char** argv) {
   const std::string_view verb = argc > 1 ? argv[1] : "";
-  return (verb == "sweep" || verb == "figure2") && rank_from_environment().rank > 0;
+  return verb == "sweep" || verb == "figure2";
+}
+
+}  // namespace
+
+bool is_silent_rank(int argc, char** argv) {
+  return computes_runs(argc, argv) && rank_from_environment().rank > 0;
+}
+
+void leave_job(int argc, char** argv, const std::string& why, io::ExitCode code) noexcept {
+  if (joined || !computes_runs(argc, argv)) return;
+  try {
+    mpi::RankInfo self = rank_from_environment();
+    if (self.size < 2) return;
+    if (number_in(kLostAfter).value_or(0) > 0) self.lost_after = lost_after({});
+    load_mpi(self).refuse_work(self, why, static_cast<int>(code));
+  } catch (const std::exception&) {
+    // There is nobody to tell, or rank 0 hears why others cannot take part either.
+  }
 }
 
 mpi::Interface& load_mpi(const mpi::RankInfo& self) {
+  joined = true;
   const io::Module module = load_module(io::kMpiModule, mpi::kEntry);
   if (!module.entry) {
     io::refuse("started as one of " + std::to_string(self.size) + " ranks, but " +

@@ -6,6 +6,7 @@
 #include "app/cli/parse.h"
 #include "app/cli/start.h"
 #include "app/cli/verb.h"
+#include "app/io/atomic_file.h"
 #include "app/io/frame_path.h"
 
 namespace pupflow::cli {
@@ -33,7 +34,8 @@ void work(const Options& options) {
   job.paused = options.paused;
   job.threads = thread_count(options.common);
   job.screenshot = options.common.out;
-  io::has_number(job.screenshot);  // throws for a bad pattern
+  if (!job.screenshot.empty())
+    io::refuse_existing(io::frame_path(job.screenshot, 0), true);  // as far as it is known now
   job.test_events = options.test_events;
   job.exit_after = options.exit_after;
   load_graphics().live(job);

@@ -1,11 +1,16 @@
 // The program: finds the verb, parses its options, and turns every failure into one line on
 // standard error and an exit code.
 #include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <new>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "app/cli/launcher.h"
@@ -110,14 +115,56 @@ void parse_and_work(int argc, char** argv) {
   refuse_extras(program, "pupflow");
 }
 
-/// One line for each line of `message`.
-void print_error(const std::string& message) {
-  std::string rest = message;
-  while (!rest.empty()) {
-    const std::string line = first_line(rest);
-    rest.erase(0, line.size() + 1);
-    if (!line.empty()) std::fprintf(stderr, "pupflow: %s\n", line.c_str());
+constexpr const char* kNoMemory =
+    "there is not enough memory for this; fewer pups, face_points or pixels need less";
+constexpr const char* kNoThreads =
+    "the system gives this program no more threads; --threads 1 needs the fewest";
+
+/// One line for each line of `message`, as far as anybody would read them.
+void print_error(std::string_view message) {
+  constexpr std::size_t kMostLines = 20;
+  const std::vector<std::string_view> lines = io::split(message, '\n');
+  const std::size_t shown = lines.size() > kMostLines + 1 ? kMostLines : lines.size();
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (!lines[i].empty()) std::fprintf(stderr, "pupflow: %s\n", io::printable(lines[i]).c_str());
   }
+  if (shown < lines.size())
+    std::fprintf(stderr, "pupflow: and %zu lines like these\n", lines.size() - shown);
+}
+
+/// The exit code of what `work` throws, which `report` is told of.
+template <class Work, class Report>
+ExitCode code_of(Work work, Report report) {
+  const auto told = [&](const char* message, ExitCode code) {
+    report(message, code);
+    return code;
+  };
+  try {
+    work();
+    return ExitCode::done;
+  } catch (const Failure& failure) {
+    return told(failure.what(), failure.code());
+  } catch (const InvalidParams& invalid) {
+    return told(invalid.what(), ExitCode::bad_input);
+  } catch (const std::bad_alloc&) {
+    return told(kNoMemory, ExitCode::bad_input);
+  } catch (const std::length_error&) {  // more than any memory holds
+    return told(kNoMemory, ExitCode::bad_input);
+  } catch (const std::system_error& error) {
+    const bool of_threads = error.code() == std::errc::resource_unavailable_try_again;
+    return of_threads ? told(kNoThreads, ExitCode::bad_input)
+                      : told(error.what(), ExitCode::bad_file);
+  } catch (const std::exception& error) {
+    return told((std::string("internal error: ") + error.what()).c_str(), ExitCode::difference);
+  }
+}
+
+/// libhdf5 calls exit(-1) where a call of it gets no memory; no end of this program's own has that
+/// status.
+void take_end_by_library(int status, void*) {
+  if ((status & 0xff) != 0xff) return;
+  std::fprintf(stderr, "pupflow: %s\n", kNoMemory);
+  _exit(static_cast<int>(ExitCode::bad_input));
 }
 
 /// Opens those of standard input, output and error that are closed: a file that is opened later would
@@ -138,26 +185,18 @@ int guarded_main(int argc, char** argv) {
   // temporary files.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that reaches its size limit
+  on_exit(take_end_by_library, nullptr);
   io::watch_for_interrupt();
   const bool silent = is_silent_rank(argc, argv);
-  const auto report = [silent](const std::string& message) {
+  const auto report = [&](const char* message, ExitCode code) {
     if (!silent) print_error(message);
+    leave_job(argc, argv, message, code);
   };
   try {
-    parse_and_work(argc, argv);
-    return static_cast<int>(ExitCode::done);
-  } catch (const Failure& failure) {
-    report(failure.what());
-    return static_cast<int>(failure.code());
-  } catch (const InvalidParams& invalid) {
-    report(invalid.what());
+    return static_cast<int>(code_of([&] { parse_and_work(argc, argv); }, report));
+  } catch (const std::bad_alloc&) {  // no memory even to report; this takes none
+    std::fprintf(stderr, "pupflow: %s\n", kNoMemory);
     return static_cast<int>(ExitCode::bad_input);
-  } catch (const std::bad_alloc&) {
-    report("there is not enough memory for this; fewer pups, face_points or pixels need less");
-    return static_cast<int>(ExitCode::bad_input);
-  } catch (const std::exception& error) {
-    report(std::string("internal error: ") + error.what());
-    return 1;
   }
 }
 

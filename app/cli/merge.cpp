@@ -10,13 +10,14 @@ namespace {
 
 struct MergeOptions {
   std::vector<std::string> folders;
-  std::string out;
+  std::string out, plot_script;
   bool force = false, quiet = false;
 };
 
 void merge(const MergeOptions& options) {
+  check_plot_script(options.plot_script);
   const study::SweepResult result =
-      study::merge_shards(options.folders, options.out, options.force);
+      study::merge_shards(options.folders, options.out, options.force, options.plot_script);
   report_sweep(study::design_of_folder(options.out), result, options.out, options.quiet);
 }
 
@@ -26,11 +27,15 @@ Verb add_merge(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("merge", "Join the shards of a sweep; refuses an incomplete set");
   const auto options = std::make_shared<MergeOptions>();
-  app->add_option("FOLDER", options->folders, "The shards' folders")->option_text(" ")->required();
+  app->add_option("FOLDER", options->folders, "The shards' folders")
+      ->option_text(" ")
+      ->required()
+      ->check(not_empty);
   app->add_option("--out", options->out, "The folder for the whole")
       ->option_text("FOLDER")
       ->required()
       ->check(not_empty);
+  add_plot_script(*app, options->plot_script);
   app->add_flag("--force", options->force, "Replace another sweep there");
   app->add_flag("--quiet", options->quiet, "No summary at the end");
   return {app, [options] { merge(*options); }};

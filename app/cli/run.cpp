@@ -1,11 +1,12 @@
 // pupflow run: steps without any graphics.
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
+#include "app/cli/outputs.h"
 #include "app/cli/start.h"
 #include "app/cli/summary.h"
 #include "app/cli/verb.h"
@@ -17,6 +18,7 @@
 #include "app/io/progress.h"
 #include "app/io/provenance.h"
 #include "app/io/recording.h"
+#include "app/io/unfinished.h"
 #include "pupflow/observer.h"
 #include "pupflow/overlap.h"
 #include "pupflow/simulation.h"
@@ -28,6 +30,7 @@ struct Options {
   Common common;  // its `out` is the metrics CSV
   std::string pups, record, checkpoint, from;
   std::int64_t every = 1, record_every = 10;
+  std::optional<std::int64_t> checkpoint_every;
   std::optional<std::int64_t> record_from;
   std::string record_fields = "pup";
   bool overlap = false;
@@ -51,7 +54,9 @@ struct Files {
                         fields);
       recorded = fields.parts();
     }
-    if (!options.checkpoint.empty()) io::refuse_existing(options.checkpoint, options.common.force);
+    if (options.checkpoint.empty()) return;
+    io::refuse_stream(options.checkpoint);
+    io::refuse_existing(options.checkpoint, options.common.force);
   }
 
   void finish(const Simulation& litter, const std::string& ending) {
@@ -74,19 +79,18 @@ struct Files {
   }
 };
 
-/// One spelling for every way to name a file.
-std::filesystem::path resolved(const std::string& path) {
-  std::error_code unresolved;  // then opening the file will tell
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, unresolved), unresolved);
-}
-
-void refuse_same_file(const Options& options) {
-  const std::string& csv = options.common.out;
-  if (csv.empty() || options.pups.empty()) return;
-  const bool both_printed = io::is_standard_output(csv) && io::is_standard_output(options.pups);
-  const bool same_name = resolved(csv) == resolved(options.pups);
-  if (!both_printed && (!same_name || io::is_stream(csv))) return;
-  io::refuse("--csv and --pups both go to " + csv + "; their columns differ, so name two files");
+/// What is looked at before anything is opened.
+void check_outputs(const Options& options) {
+  if (options.checkpoint_every && options.checkpoint.empty()) {
+    io::refuse("--checkpoint-every needs --checkpoint FILE");
+  }
+  const std::string paths[] = {options.common.out, options.pups, options.record,
+                               options.checkpoint};
+  refuse_same_file({{"--csv", paths[0]},
+                    {"--pups", paths[1]},
+                    {"--record", paths[2]},
+                    {"--checkpoint", paths[3]}});
+  io::name_unfinished(paths);
 }
 
 /// One run: steps, and looks at the litter only where somebody asked for what is seen.
@@ -110,12 +114,14 @@ class Run {
     record_start();
     while (simulation_.steps_done() < steps && simulation_.status().ok() && !io::interrupted()) {
       one_step();
+      const bool due = options_.checkpoint_every && simulation_.status().ok() &&
+                       simulation_.steps_done() % *options_.checkpoint_every == 0;
+      if (due) keep_state();
       progress.update(simulation_.steps_done());
     }
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     files_.finish(simulation_, ending());
-    if (options_.checkpoint.empty() || !simulation_.status().ok()) return;
-    io::write_checkpoint(options_.checkpoint, options_.common.force, simulation_);
+    if (!options_.checkpoint.empty() && simulation_.status().ok()) keep_state();
   }
 
   /// Why the run ended before its last step; empty when it did not.
@@ -156,6 +162,13 @@ class Run {
     files_.recording->add(simulation_);
   }
 
+  /// Writes the checkpoint, in place of the one of an earlier step.
+  void keep_state() {
+    if (kept_ == simulation_.steps_done()) return;
+    io::write_checkpoint(options_.checkpoint, options_.common.force || kept_, simulation_);
+    kept_ = simulation_.steps_done();
+  }
+
   void one_step() {
     const std::int64_t step = simulation_.steps_done() + 1, lag = simulation_.params().flow_lag;
     const bool observe = wanted(step), later = wanted(step, lag);
@@ -192,6 +205,7 @@ class Run {
   std::optional<Observer> observer_;
   PartSet observed_ = kContactRecords;  // as a new simulation has it
   RunMeans means_;
+  std::optional<std::int64_t> kept_;  // the step of the checkpoint that is there
   bool summary_;
   struct OverlapLooks {
     OverlapMeter meter;
@@ -202,7 +216,7 @@ class Run {
 };
 
 void work(const Options& options) {
-  refuse_same_file(options);
+  check_outputs(options);
   const Start start = start_of(options.common.settings, options.from);
   Run run(options, litter_of(start));
   run.go();
@@ -263,6 +277,10 @@ Verb add_run(CLI::App& program) {
                   "Write the whole state at the end (also after Ctrl-C) to an HDF5 file")
       ->option_text("FILE")
       ->check(not_empty);
+  app->add_option("--checkpoint-every", options->checkpoint_every,
+                  "Write it every N steps, too, each in place of the one before")
+      ->option_text("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
   add_from(*app, options->from);
   add_flow_lag(*app, options->common);
   app->add_flag("--overlap", options->overlap,
@@ -271,7 +289,9 @@ Verb add_run(CLI::App& program) {
   app->footer(
       "Exit code 3 when the numbers went wrong, 130 after Ctrl-C: the rows up to there are kept, "
       "and "
-      "a last comment line says why they end.");
+      "a last comment line says why they end. Until the run ends a file is called "
+      "FILE.PROCESS.unfinished; after a kill 'pupflow info', 'export' and 'verify' read what a "
+      "recording had.");
   return {app, [options] { work(*options); }};
 }
 

@@ -1,5 +1,6 @@
 #include "app/cli/sweep_work.h"
 
+#include <filesystem>
 #include <memory>
 
 #include "app/cli/launcher.h"
@@ -54,6 +55,21 @@ study::Design design_of(const SweepOptions& options, const std::string& name) {
 
 }  // namespace
 
+void add_plot_script(CLI::App& app, std::string& script) {
+  app.add_option("--plot-script", script,
+                 "Draw the figure with this gnuplot script: the one in the folder after you edited "
+                 "it,\n"
+                 "or another. It can do whatever a program can; no edited script is run unnamed")
+      ->option_text("FILE")
+      ->check(not_empty);
+}
+
+void check_plot_script(const std::string& script) {
+  std::error_code ignored;
+  if (script.empty() || std::filesystem::is_regular_file(script, ignored)) return;
+  throw io::Failure(io::ExitCode::bad_file, "--plot-script " + script + ": there is no such file");
+}
+
 void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& folder) {
   CommonHelp help;
   help.settings = "seed is the base seed, from which the seed of each run is made";
@@ -82,10 +98,13 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53))
       ->needs(record);
+  add_plot_script(app, options.plot_script);
   app.footer(
       "Finished runs are kept. After Ctrl-C, a full disk or a crash, the same command computes "
       "the\n"
-      "missing runs. A folder that holds another sweep is refused. Exit code 3: a run failed. Its\n"
+      "missing runs. A folder that holds another sweep, or in which another process is at work, "
+      "is\n"
+      "refused. Exit code 3: a run failed. Its\n"
       "row has the status, and it is not in the means.");
 }
 
@@ -98,6 +117,7 @@ void run_sweep_verb(const SweepOptions& options, const std::string& name) {
     if (self.rank > 0) return module.run_worker(self);
     all_ranks = module.start_leader(self);
   }
+  check_plot_script(options.plot_script);
   study::SweepJob job;
   job.design = design_of(options, name);
   job.folder = options.common.out.empty() ? name : options.common.out;
@@ -105,6 +125,7 @@ void run_sweep_verb(const SweepOptions& options, const std::string& name) {
   job.executor = all_ranks.get();
   job.force = options.common.force;
   job.quiet = options.common.quiet;
+  job.plot_script = options.plot_script;
   report_sweep(job.design, study::run_sweep(job), job.folder, job.quiet);
 }
 

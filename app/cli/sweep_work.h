@@ -19,7 +19,14 @@ struct SweepOptions {
   bool record = false;
   std::int64_t every = 1;
   std::string shard = "1/1";
+  std::string plot_script;  // empty: the one in the folder
 };
+
+/// Declares --plot-script.
+void add_plot_script(CLI::App& app, std::string& script);
+
+/// Throws io::Failure(bad_file) where `script` is neither empty nor a file.
+void check_plot_script(const std::string& script);
 
 /// Declares all options but those that choose the points. `folder` is the default of --out.
 void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& folder);

@@ -6,10 +6,12 @@
 #include <array>
 #include <functional>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "app/gl/load.h"
 #include "app/io/failure.h"
+#include "app/io/memory.h"
 
 namespace pupflow::context {
 
@@ -143,10 +145,23 @@ std::unique_ptr<Context> try_all(ContextReport& report) {
   return nullptr;
 }
 
+/// Software drivers crash where they get no memory.
+void refuse_small_address_space() {
+  // Mesa's: its libraries, its compiler, and the stack of each of its threads.
+  constexpr std::uint64_t kDriver = 400'000'000, kThread = 16'000'000;
+  const std::uint64_t needed = kDriver + kThread * std::thread::hardware_concurrency();
+  const std::uint64_t left = io::address_space_left();
+  if (left >= needed) return;
+  fail("OpenGL drivers need about " + std::to_string(needed / 1'000'000) +
+       " MB of address space, and ulimit -v leaves " + std::to_string(left / 1'000'000) +
+       " MB; raise it");
+}
+
 }  // namespace
 
 std::unique_ptr<Context> make_headless(ContextReport& report) {
   report = {};
+  refuse_small_address_space();
   auto context = try_all(report);
   if (context != nullptr) return context;
   std::string tried;

@@ -55,7 +55,7 @@ void write_gcal(const io::RecordedRun& recording, const Request& request, io::Pr
   const std::size_t width = stream.shape().back();
   const std::size_t patterns = recording.frames() * stream.size() / (width * width);
   if (patterns > INT32_MAX) io::refuse(recording.path() + ": holds too many patterns for dims");
-  io::Hdf5Writer file(request.out, request.force);
+  io::Hdf5Writer file(request.out, request.force, io::Hdf5Kind::plain);
   file.about(recording.about());
   file.text("kind", "patterns");
   file.text("name", stream.field().name);

@@ -1,11 +1,10 @@
 #include "app/gl/program.h"
 
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
 #include "app/io/failure.h"
+#include "app/io/read_file.h"
 
 // The embedded files: name, and the symbol that CMake gives it.
 #define PUPFLOW_SHADERS(X)                  \
@@ -40,12 +39,8 @@ struct Source {
 Source source_of(const std::string& shader_dir, const std::string& file) {
   if (shader_dir.empty()) return {file, std::string(embedded_shader(file))};
   const std::string path = shader_dir + "/" + file;
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) {
-    throw io::Failure(io::ExitCode::bad_file, "cannot read the shader " + path);
-  }
-  return {path, text.str()};
+  constexpr std::size_t kLargestShader = std::size_t{1} << 20;
+  return {path, io::read_file(path, kLargestShader)};
 }
 
 /// A driver's log in one line.

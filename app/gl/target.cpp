@@ -1,15 +1,13 @@
 #include "app/gl/target.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
 #include "app/io/failure.h"
 
 namespace pupflow::gl {
 
-void Target::resize(int width, int height) {
-  if (width == width_ && height == height_) return;
+void Target::refuse_large(int width, int height) {
   GLint limit = 0, depth_limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &depth_limit);
@@ -20,6 +18,11 @@ void Target::resize(int width, int height) {
                           " samples is not possible; each side must be in 1 ... " +
                           std::to_string(limit) + " (pixels times samples across a pixel)");
   }
+}
+
+void Target::resize(int width, int height) {
+  if (width == width_ && height == height_) return;
+  refuse_large(width, height);
   glBindTexture(GL_TEXTURE_2D, color_.name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -36,8 +39,8 @@ void Target::resize(int width, int height) {
   const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
   if (status != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("the driver cannot draw into a framebuffer of " +
-                             std::to_string(width) + "x" + std::to_string(height) + " samples");
+    io::refuse("the driver cannot draw into a framebuffer of " + std::to_string(width) + "x" +
+               std::to_string(height) + " samples; fewer of them need less memory");
   }
   width_ = width;
   height_ = height;

@@ -8,6 +8,9 @@ namespace pupflow::gl {
 
 class Target {
  public:
+  /// Throws Failure(bad_input) when the driver allows no target of this size in pixels.
+  static void refuse_large(int width, int height);
+
   /// Makes it at least allocated at this size in pixels; the content is lost when the size changes.
   /// Throws Failure(bad_input) when the driver allows no such size.
   void resize(int width, int height);

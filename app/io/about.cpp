@@ -4,7 +4,8 @@
 #include <fstream>
 
 #include "app/io/csv.h"
-#include "app/io/hdf5_file.h"
+#include "app/io/file_kind.h"
+#include "app/io/hdf5_reader.h"
 #include "app/io/provenance.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
@@ -37,11 +38,12 @@ About about_hdf5(const std::string& path) {
   const Hdf5Reader file(path);
   About about = about_entries(file.text(), path);
   about.sets = file.sets();
+  if (file.unfinished()) about.facts.emplace_back("unfinished", "its run goes on, or was killed");
   const bool told_step = std::any_of(about.facts.begin(), about.facts.end(),
                                      [](const auto& fact) { return fact.first == "step"; });
   for (const SetInfo& set : about.sets) {
     if (set.name == "clock" && set.shape == std::vector<std::uint64_t>{3} && !told_step) {
-      about.facts.emplace_back("step", number_text(file.numbers("clock")[0]));
+      about.facts.emplace_back("step", number_text(file.numbers("clock", {3})[0]));
     }
     if (set.name != "step" || set.shape.size() != 1) continue;
     const std::uint64_t frames = set.shape[0];
@@ -122,19 +124,18 @@ About about_csv(const std::string& path) {
 }
 
 About about_any(const std::string& path) {
-  const std::string beginning = read_beginning(path, 8);
-  if (beginning == "\x89PNG\r\n\x1a\n") return about_png(path);
-  if (beginning == "\x89HDF\r\n\x1a\n") return about_hdf5(path);
+  switch (file_kind(path)) {
+    case FileKind::picture:
+      return about_png(path);
+    case FileKind::hdf5:
+      return about_hdf5(path);
+    case FileKind::text:
+      break;
+  }
   return about_csv(path);
 }
 
 }  // namespace
-
-std::string printable(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
-  return text;
-}
 
 About about_file(const std::string& path) {
   About about = about_any(path);

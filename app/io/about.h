@@ -23,7 +23,4 @@ struct About {
 /// when this program did not write it.
 About about_file(const std::string& path);
 
-/// `text` with a blank in place of each control character: what a file says may be anything.
-std::string printable(std::string text);
-
 }  // namespace pupflow::io

@@ -1,10 +1,33 @@
 #include "app/io/background.h"
 
+#include <system_error>
 #include <utility>
 
 namespace pupflow::io {
+namespace {
+
+/// Does the job; what it threw, or nothing.
+std::exception_ptr failure_of(const std::function<void()>& job) {
+  try {
+    job();
+    return nullptr;
+  } catch (...) {
+    return std::current_exception();
+  }
+}
+
+}  // namespace
+
+Background::Background() {
+  try {
+    thread_ = std::thread([this] { work(); });
+  } catch (const std::system_error&) {
+    // no thread to be had
+  }
+}
 
 Background::~Background() {
+  if (!thread_.joinable()) return;
   {
     const std::lock_guard lock(mutex_);
     stopped_ = true;
@@ -14,6 +37,11 @@ Background::~Background() {
 }
 
 Background::Ticket Background::run(std::function<void()> job) {
+  if (!thread_.joinable()) {
+    if (!failure_) failure_ = failure_of(job);
+    ++done_;
+    return ++given_;
+  }
   const std::lock_guard lock(mutex_);
   jobs_.push_back(std::move(job));
   changed_.notify_all();
@@ -35,12 +63,7 @@ void Background::work() {
     jobs_.pop_front();
     if (!failure_) {
       lock.unlock();
-      std::exception_ptr failure;
-      try {
-        job();
-      } catch (...) {
-        failure = std::current_exception();
-      }
+      const std::exception_ptr failure = failure_of(job);
       lock.lock();
       failure_ = failure;
     }

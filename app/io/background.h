@@ -11,13 +11,14 @@
 
 namespace pupflow::io {
 
-/// Does jobs one after the other on a thread of its own. After a job that threw, all others are
-/// left out. The destructor waits for the job at hand and leaves out those behind it.
+/// Does jobs one after the other on a thread of its own; where the system gives none, `run` does
+/// them itself. After a job that threw, all others are left out. The destructor waits for the job at
+/// hand and leaves out those behind it.
 class Background {
  public:
   using Ticket = std::uint64_t;
 
-  Background() : thread_([this] { work(); }) {}
+  Background();
   ~Background();
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
@@ -38,7 +39,7 @@ class Background {
   Ticket given_ = 0, done_ = 0;
   bool stopped_ = false;
   std::exception_ptr failure_;
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;
 };
 
 }  // namespace pupflow::io

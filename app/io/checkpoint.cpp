@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/io/failure.h"
-#include "app/io/hdf5_file.h"
+#include "app/io/hdf5_reader.h"
 #include "app/io/provenance.h"
 #include "app/io/text.h"
 
@@ -20,7 +20,9 @@ void write(const Hdf5Writer& file, const char* name, const std::vector<hsize_t>&
   const Handle space(
       file.checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr)),
       H5Sclose);
-  const Handle set(file.checked(H5Dcreate2(file.id(), name, stored, space, H5P_DEFAULT, H5P_DEFAULT,
+  const Handle properties(file.checked(H5Pcreate(H5P_DATASET_CREATE)), H5Pclose);
+  file.checked(H5Pset_obj_track_times(properties, false));  // equal litters give equal bytes
+  const Handle set(file.checked(H5Dcreate2(file.id(), name, stored, space, H5P_DEFAULT, properties,
                                            H5P_DEFAULT)),
                    H5Dclose);
   const bool empty = std::find(shape.begin(), shape.end(), 0) != shape.end();
@@ -70,11 +72,36 @@ std::optional<std::int64_t> edited_step(const TextEntries& entries, std::int64_t
   return read_number<std::int64_t>(edited->second).value_or(step);
 }
 
+/// Pairs of pups; each at most once.
+std::vector<TouchingPair> read_touching(const Hdf5Reader& file, const std::string& path,
+                                        std::uint64_t pups) {
+  const std::vector<std::uint64_t> shape = file.shape("touching");
+  if (shape.size() != 2 || shape[0] > pups * pups / 2) {
+    throw Failure(ExitCode::bad_file, path + ": is damaged: more pairs touch than there are");
+  }
+  const std::vector<int> numbers = file.integers("touching", {shape[0], 2});
+  std::vector<TouchingPair> pairs;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) {
+    pairs.push_back({numbers[i], numbers[i + 1]});
+  }
+  return pairs;
+}
+
+void read_clock(const Hdf5Reader& file, const std::string& path, Snapshot& snapshot) {
+  const std::vector<double> clock = file.numbers("clock", {3});
+  const auto is_step = [](double number) { return number >= 0 && number <= 9e15; };
+  if (!is_step(clock[0]) || !is_step(clock[1])) {
+    refuse(path + ": is no checkpoint: its clock makes no sense");
+  }
+  snapshot.step = static_cast<std::int64_t>(clock[0]);
+  snapshot.clock = {static_cast<std::int64_t>(clock[1]), clock[2]};
+}
+
 }  // namespace
 
 void write_checkpoint(const std::string& path, bool force, const Simulation& litter) {
   const Snapshot snapshot = litter.snapshot();
-  Hdf5Writer file(path, force);
+  Hdf5Writer file(path, force, Hdf5Kind::checkpoint);
   TextEntries entries = provenance(snapshot.params);
   add_state(litter, entries);
   for (const auto& [name, value] : entries) file.text(name, value);
@@ -109,26 +136,19 @@ Snapshot read_checkpoint(const std::string& path) {
   }
   Snapshot snapshot;
   snapshot.params = params_from(entries, path);
-  snapshot.positions = file.numbers("position");
-  snapshot.velocities = file.numbers("velocity");
-  snapshot.body_temperature = file.numbers("body_temperature");
+  const auto pups = static_cast<std::uint64_t>(snapshot.params.pups);
+  const auto points = static_cast<std::uint64_t>(points_per_pup(snapshot.params));
+  snapshot.positions = file.numbers("position", {pups, points, 3});
+  snapshot.velocities = file.numbers("velocity", {pups, points, 3});
+  snapshot.body_temperature = file.numbers("body_temperature", {pups});
   // A version before 0.2.0 did not keep what others felt in the last step.
-  snapshot.felt_tb = file.numbers(file.has("felt_tb") ? "felt_tb" : "body_temperature");
-  snapshot.heading = file.numbers("heading");
-  snapshot.exposed = file.numbers("exposed");
-  snapshot.touched = file.integers("touched");
-  const std::vector<int> touching = file.integers("touching");
-  for (std::size_t i = 0; i + 1 < touching.size(); i += 2) {
-    snapshot.touching.push_back({touching[i], touching[i + 1]});
-  }
-  const std::vector<double> clock = file.numbers("clock");
-  const auto is_step = [](double number) { return number >= 0 && number <= 9e15; };
-  if (clock.size() != 3 || !is_step(clock[0]) || !is_step(clock[1])) {
-    refuse(path + ": is no checkpoint: its clock makes no sense");
-  }
-  snapshot.step = static_cast<std::int64_t>(clock[0]);
-  snapshot.clock = {static_cast<std::int64_t>(clock[1]), clock[2]};
-  if (file.has(kActions)) snapshot.actions = actions_of(file.numbers(kActions));
+  snapshot.felt_tb = file.numbers(file.has("felt_tb") ? "felt_tb" : "body_temperature", {pups});
+  snapshot.heading = file.numbers("heading", {pups});
+  snapshot.exposed = file.numbers("exposed", {pups});
+  snapshot.touched = file.integers("touched", {pups, points});
+  snapshot.touching = read_touching(file, path, pups);
+  read_clock(file, path, snapshot);
+  if (file.has(kActions)) snapshot.actions = actions_of(file.numbers(kActions, {pups, 5}));
   snapshot.edited = edited_step(entries, snapshot.step);
   snapshot.in_force = params_of_step(snapshot.params, snapshot.step);
   return snapshot;

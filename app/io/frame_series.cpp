@@ -5,6 +5,7 @@
 #include <cstring>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 namespace pupflow::io {
 namespace {
@@ -20,6 +21,26 @@ void convert(std::span<const double> values, std::span<std::byte> to) {
     }
     std::memcpy(to.data() + i * sizeof number, &number, sizeof number);
   }
+}
+
+/// Appends the checksum that HDF5's filter fletcher32 appends: that of big-endian words of two
+/// bytes, a last odd byte being the upper one.
+void append_fletcher32(std::vector<std::byte>& bytes) {
+  constexpr std::size_t kWithoutOverflow = 720;  // bytes, after which the sums are folded
+  const auto fold = [](std::uint32_t sum) { return (sum & 0xffff) + (sum >> 16); };
+  std::uint32_t first = 0, second = 0;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t end = std::min(at + kWithoutOverflow, bytes.size());
+    for (; at < end; at += 2) {
+      const auto low = at + 1 < bytes.size() ? static_cast<std::uint32_t>(bytes[at + 1]) : 0;
+      first += static_cast<std::uint32_t>(bytes[at]) << 8 | low;
+      second += first;
+    }
+    first = fold(first);
+    second = fold(second);
+  }
+  const std::uint32_t sum = fold(second) << 16 | fold(first);
+  for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::byte>(sum >> shift));
 }
 
 std::size_t product(std::span<const hsize_t> sizes) {
@@ -57,6 +78,7 @@ hid_t FrameSeries::make(const std::string& name) {
   file.checked(H5Pset_chunk(properties, rank, chunk_.data()));
   file.checked(H5Pset_shuffle(properties));
   file.checked(H5Pset_deflate(properties, 1));
+  file.checked(H5Pset_fletcher32(properties));
   const Handle link(file.checked(H5Pcreate(H5P_LINK_CREATE)), H5Pclose);
   file.checked(H5Pset_create_intermediate_group(link, 1));
   return file.checked(
@@ -105,7 +127,8 @@ void FrameSeries::hand_over() {
   filling_.swap(leaving_);
   const hsize_t first = extent_.front(), frames = frames_;
   extent_.front() += frames;
-  frames_ = 0;
+  frames_ = flushed_ = 0;
+  completed_ = true;
   left_ = writer_.thread.run([this, first, frames] { write(leaving_, first, frames); });
 }
 
@@ -119,12 +142,24 @@ void FrameSeries::write(const std::vector<std::byte>& chunks, hsize_t first, hsi
   for (std::size_t begin = 0; begin < chunks.size(); begin += bytes) {
     const auto chunk = std::span(chunks).subspan(begin, bytes);
     const auto packed = writer_.deflater.deflate(chunk, byte_size(type_));
-    constexpr std::uint32_t kAllFilters = 0, kNoFilter = 3;  // bits of those that are left out
-    const auto& stored = packed.empty() ? chunk : packed;
-    file.checked(H5Dwrite_chunk(set_, H5P_DEFAULT, packed.empty() ? kNoFilter : kAllFilters,
-                                place.data(), stored.size(), stored.data()));
+    constexpr std::uint32_t kAllFilters = 0, kOnlyChecksum = 3;  // bits of those that are left out
+    const auto& numbers = packed.empty() ? chunk : packed;
+    stored_.assign(numbers.begin(), numbers.end());
+    append_fletcher32(stored_);
+    file.checked(H5Dwrite_chunk(set_, H5P_DEFAULT, packed.empty() ? kOnlyChecksum : kAllFilters,
+                                place.data(), stored_.size(), stored_.data()));
     if (place.size() > 1) place[1] += chunk_items_;
   }
+}
+
+void FrameSeries::flush() {
+  const bool completed = std::exchange(completed_, false);
+  if (completed || frames_ == 0 || frames_ < 2 * flushed_) return;
+  writer_.thread.wait(left_);
+  leaving_ = filling_;
+  flushed_ = frames_;
+  left_ = writer_.thread.run(
+      [this, first = extent_.front(), frames = frames_] { write(leaving_, first, frames); });
 }
 
 void FrameSeries::finish() {

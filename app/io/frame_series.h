@@ -25,7 +25,7 @@ struct SeriesWriter {
 };
 
 /// A data set (frame, item, ...), or (frame) for one number a frame. A chunk holds 64 frames of one
-/// item, shuffled and compressed by gzip. Where 64 frames of all items take more than
+/// item, shuffled and compressed by gzip, with a checksum. Where 64 frames of all items take more than
 /// kMostBuffered, it holds fewer frames of more items. Memory: twice the frames of a chunk.
 /// Members throw Failure(bad_file).
 class FrameSeries {
@@ -50,6 +50,10 @@ class FrameSeries {
   /// The frame under way is complete.
   void next_frame();
 
+  /// Writes the frames of the chunk under way, where no chunk was completed since the last call and
+  /// they have doubled since they were last written: their former place in the file is lost each time.
+  void flush();
+
   /// Writes what is left. Last.
   void finish();
 
@@ -64,7 +68,10 @@ class FrameSeries {
   NumberType type_;
   std::size_t items_, chunk_frames_, chunk_items_, row_bytes_;
   std::size_t frames_ = 0;                    // in `filling_`
+  bool completed_ = false;                    // a chunk, since the last flush
+  std::size_t flushed_ = 0;                   // of them, already in the file
   std::vector<std::byte> filling_, leaving_;  // chunk by chunk
+  std::vector<std::byte> stored_;             // of the thread: a chunk as it goes to the file
   Background::Ticket left_ = 0;
   Handle set_;
 };

@@ -1,16 +1,16 @@
 #include "app/io/gnuplot.h"
 
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <filesystem>
+#include <new>
 #include <sstream>
 
 #include "app/io/atomic_file.h"
+#include "app/io/child.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
+#include "app/io/machine.h"
 #include "app/io/read_file.h"
 
 extern char** environ;
@@ -20,57 +20,76 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kNotInstalled = 127;  // a shell's exit status for a command that is not found
-
-/// Names of the files that gnuplot writes into the drawing's folder. They are removed at the end.
+/// A folder of its own in the drawing's folder, for what gnuplot writes. It is removed at the end.
 struct Temporary {
-  std::string name = ".pupflow-" + std::to_string(::getpid()), base;
+  std::string name, path;  // within the drawing's folder; with it
 
-  explicit Temporary(const std::string& folder) : base(folder + "/" + name) {}
+  explicit Temporary(const std::string& folder) {
+    std::error_code error;
+    bool made = false;
+    for (int attempt = 0; !made && !error; ++attempt) {
+      name = ".pupflow-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".plot";
+      path = folder + "/" + name;
+      made = fs::create_directory(path, error);
+    }
+    if (error)
+      throw Failure(ExitCode::bad_file, path + ": cannot make this folder: " + error.message());
+  }
   ~Temporary() {
     std::error_code ignored;
-    for (const char* ending : {".png", ".svg", ".log"}) fs::remove(base + ending, ignored);
+    try {
+      fs::remove_all(path, ignored);
+    } catch (const std::bad_alloc&) {
+      // the folder stays behind
+    }
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 };
 
-/// Runs gnuplot on `script` inside `folder` and returns its exit status.
-int run_gnuplot(const std::string& folder, const std::string& script, const Temporary& temporary) {
-  // A shell changes the folder. Names are arguments of it, never part of its program text.
-  std::string words[] = {
-      "sh",          "-c",   "cd -- \"$1\" && exec gnuplot -e \"name='$3'\" \"$2\" 2>\"$3.log\"",
-      "sh",          folder, script,
-      temporary.name};
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  pid_t child = 0;
-  if (::posix_spawnp(&child, "sh", nullptr, nullptr, argv.data(), environ) != 0)
-    return kNotInstalled;
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+/// This program's environment without what changes gnuplot's pictures or has it read more files.
+/// `home` is a folder that holds nothing.
+std::vector<std::string> environment(const std::string& home) {
+  std::vector<std::string> variables{"HOME=" + home};
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view text(*variable);
+    bool left_out = false;
+    for (const std::string_view start : {"HOME=", "XDG_", "GNU", "GDFONTPATH=", "FIT_"})
+      left_out = left_out || text.starts_with(start);
+    if (!left_out) variables.emplace_back(text);
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return variables;
 }
 
-/// The last line of what gnuplot wrote on standard error.
-std::string complaint(const Temporary& temporary) {
-  std::string text;
-  try {
-    text = read_file(temporary.base + ".log", std::size_t{1} << 20);
-  } catch (const Failure&) {
-    return "it left no message";
-  }
-  while (text.ends_with('\n')) text.pop_back();
-  return text.empty() ? "it left no message" : text.substr(text.rfind('\n') + 1);
+ChildEnd run_gnuplot(const std::string& program, const Drawing& drawing,
+                     const Temporary& temporary) {
+  const std::string script =
+      drawing.script.empty() ? drawing.name + ".gp" : fs::absolute(drawing.script).string();
+  return run_child({program,
+                    {"-d", "-e", "name='" + temporary.name + "/figure'", script},
+                    drawing.folder,
+                    environment(fs::absolute(temporary.path).string())});
+}
+
+/// The last line of what gnuplot wrote.
+std::string complaint(std::string words) {
+  while (words.ends_with('\n')) words.pop_back();
+  return words.empty() ? "it left no message" : words.substr(words.rfind('\n') + 1);
 }
 
 /// Writes both pictures to their final names, with the text that tells how to make them again.
 void publish(const Temporary& temporary, const Drawing& drawing) {
-  const std::string target = drawing.folder + "/" + drawing.name;
-  write_png(target + ".png", read_png(temporary.base + ".png"), drawing.text, true);
-  std::string svg = read_file(temporary.base + ".svg", std::size_t{1} << 30);
+  const std::string target = drawing.folder + "/" + drawing.name, made = temporary.path + "/figure";
+  for (const char* ending : {".png", ".svg"}) {
+    if (fs::is_regular_file(fs::symlink_status(made + ending))) continue;
+    throw Failure(ExitCode::bad_file,
+                  target + ending +
+                      ": the script drew no such picture; it must set output to "
+                      "name.'" +
+                      ending + "'");
+  }
+  write_png(target + ".png", read_png(made + ".png"), drawing.text, true);
+  std::string svg = read_file(made + ".svg", std::size_t{1} << 30);
   const std::size_t root = svg.find("<svg");
   if (root == std::string::npos || svg.find("</svg>") == std::string::npos) {
     throw Failure(ExitCode::bad_file,
@@ -102,16 +121,17 @@ std::string gnuplot_script(const std::string& name, const std::string& source, i
 }
 
 Drawn draw(const Drawing& drawing) {
-  const std::string script = drawing.name + ".gp";
+  const std::string program = program_path("gnuplot");
+  if (program.empty()) return Drawn::no_gnuplot;
   const Temporary temporary(drawing.folder);
-  const int status = run_gnuplot(drawing.folder, script, temporary);
+  const ChildEnd end = run_gnuplot(program, drawing, temporary);
   if (interrupted()) return Drawn::interrupted;
-  if (status == kNotInstalled) return Drawn::no_gnuplot;
-  if (status != 0) {
-    throw Failure(ExitCode::bad_file, drawing.folder + "/" + script +
-                                          ": gnuplot failed with exit code " +
-                                          std::to_string(status) + " (" + complaint(temporary) +
-                                          "); the CSV files are complete");
+  if (end.status != 0) {
+    const std::string script =
+        drawing.script.empty() ? drawing.folder + "/" + drawing.name + ".gp" : drawing.script;
+    throw Failure(ExitCode::bad_file,
+                  script + ": gnuplot failed with exit code " + std::to_string(end.status) + " (" +
+                      complaint(end.last_words) + "); the CSV files are complete");
   }
   publish(temporary, drawing);
   return Drawn::done;

@@ -17,15 +17,18 @@ std::string gnuplot_script(const std::string& name, const std::string& source, i
 /// A script in a folder, and what its two pictures carry.
 struct Drawing {
   std::string folder;
-  std::string name;  // of NAME.gp, the script in that folder, and of NAME.png and NAME.svg
-  TextEntries text;  // what the PNG carries
-  std::string note;  // what the SVG carries, as a comment
+  std::string name;         // of NAME.gp, the script in that folder, and of NAME.png and NAME.svg
+  TextEntries text;         // what the PNG carries
+  std::string note;         // what the SVG carries, as a comment
+  std::string script = {};  // a file to run in place of NAME.gp
 };
 
 enum class Drawn { done, no_gnuplot, interrupted };
 
-/// Runs the script in its folder. It must write the files `name`.png and `name`.svg, where `name` is
-/// a variable of gnuplot that is set here. Each replaces the earlier file whole or not at all.
+/// Runs the script with the folder as its working folder, without the user's settings of gnuplot. It
+/// must write the files `name`.png and `name`.svg, where `name` is a variable of gnuplot that is set
+/// here. Each replaces the earlier file whole or not at all. A script can run any command: pass
+/// nothing that came from a file, unless the user named that file as a script.
 /// Throws Failure(bad_file) when gnuplot fails, with its message, or a picture cannot be written.
 Drawn draw(const Drawing& drawing);
 

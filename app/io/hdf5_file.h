@@ -42,10 +42,19 @@ void quiet_hdf5();
 /// HDF5's name for such numbers in memory.
 hid_t hdf5_type(NumberType type);
 
-/// A new HDF5 file, written aside and put in place by commit(). Throws Failure(bad_file).
+/// What a file is for. Those that this program reads again begin with a user block (user_block.h).
+enum class Hdf5Kind {
+  plain,       // for other programs: no block
+  checkpoint,  // made in memory and written at once
+  recording    // grows; may be read while it does, and after a kill
+};
+
+/// A new HDF5 file, written aside and put in place by commit(). Members throw Failure(bad_file).
+/// When a recording cannot be written any more, what was flushed stays aside, and the message says
+/// where.
 class Hdf5Writer {
  public:
-  Hdf5Writer(const std::string& path, bool force);
+  Hdf5Writer(const std::string& path, bool force, Hdf5Kind kind);
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;
   Hdf5Writer& operator=(const Hdf5Writer&) = delete;
@@ -68,6 +77,13 @@ class Hdf5Writer {
   Handle whole(const std::string& name, const std::vector<hsize_t>& shape, NumberType type,
                const void* values) const;
 
+  /// From now on data sets only grow: what is flushed can be read whatever happens next. For a
+  /// recording whose data sets are all there.
+  void only_grow();
+
+  /// Hands everything to the operating system.
+  void flush() const;
+
   void commit();
 
   /// `result` as it is; throws when it says that HDF5 failed.
@@ -76,44 +92,14 @@ class Hdf5Writer {
  private:
   void add_number(hid_t object, const std::string& name, hid_t type, const void* value) const;
 
+  std::string image() const;
+
   std::string path_;
+  Hdf5Kind kind_;
   AtomicFile target_;
   hid_t file_;
-};
-
-/// An HDF5 file of this program, open for reading. Throws Failure(bad_file) when it cannot be read.
-class Hdf5Reader {
- public:
-  explicit Hdf5Reader(const std::string& path);
-
-  /// All attributes of the file that are text or one number; numbers as text that reads back to
-  /// them.
-  TextEntries text() const;
-
-  /// Whether the file has a data set of that name.
-  bool has(const std::string& name) const;
-
-  /// A whole dataset, flattened. Throws Failure(bad_input) when it is missing.
-  std::vector<double> numbers(const std::string& name) const;
-  std::vector<int> integers(const std::string& name) const;
-
-  /// All data sets by name, without those that are only dimensions.
-  std::vector<SetInfo> sets() const;
-
-  /// The numbers of a part of a data set, converted to `type`: a box that begins at `first` and has
-  /// `count` entries along each dimension. `values` has room for them.
-  void part(const std::string& name, const std::vector<std::uint64_t>& first,
-            const std::vector<std::uint64_t>& count, NumberType type, void* values) const;
-
-  /// Whether the chunks of a data set that grows are all there, so that its size can be believed.
-  bool is_filled(const std::string& name) const;
-
- private:
-  template <class T>
-  std::vector<T> read(const std::string& name, hid_t type) const;
-
-  std::string path_;
-  Handle file_;
+  // By whoever works with the file, one thread at a time.
+  mutable bool failed_ = false, flushed_ = false;
 };
 
 }  // namespace pupflow::io

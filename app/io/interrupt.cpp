@@ -1,6 +1,9 @@
 #include "app/io/interrupt.h"
 
+#include <poll.h>
 #include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 
@@ -34,6 +37,16 @@ void watch_for_interrupt() {
 
 bool interrupted() {
   return came != 0;
+}
+
+bool wait_until_ready(int descriptor, short events) {
+  constexpr int kLook = 100;  // milliseconds
+  for (;;) {
+    pollfd waited{descriptor, events, 0};
+    const int ready = ::poll(&waited, 1, kLook);
+    if (ready > 0 || (ready < 0 && errno != EINTR)) return true;  // the call that follows will tell
+    if (interrupted()) return false;
+  }
 }
 
 }  // namespace pupflow::io

@@ -13,6 +13,10 @@ void watch_for_interrupt();
 /// Whether one of them came.
 bool interrupted();
 
+/// Waits until `descriptor` is ready for `events` of poll(2). False when it is not, and one of the
+/// signals came.
+bool wait_until_ready(int descriptor, short events);
+
 #pragma GCC visibility pop
 
 }  // namespace pupflow::io

@@ -45,13 +45,14 @@ std::string cpu_name() {
   return name.empty() ? "unknown" : name;
 }
 
-bool is_program(const std::string& name) {
+std::string program_path(const std::string& name) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
-    if (::access((folder + "/" + name).c_str(), X_OK) == 0) return true;
+    const std::string candidate = folder + "/" + name;
+    if (folder.starts_with('/') && ::access(candidate.c_str(), X_OK) == 0) return candidate;
   }
-  return false;
+  return {};
 }
 
 }  // namespace pupflow::io

@@ -14,7 +14,8 @@ std::string kernel_words();
 /// The processor's name as the system tells it; "unknown" where it does not.
 std::string cpu_name();
 
-/// Whether a program of that name is on the PATH.
-bool is_program(const std::string& name);
+/// The path of the program of that name in the folders of PATH; empty where there is none. Folders
+/// that PATH names relative to the current one are passed over.
+std::string program_path(const std::string& name);
 
 }  // namespace pupflow::io

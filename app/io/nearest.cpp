@@ -39,6 +39,10 @@ std::string nearest(std::string_view name, std::span<const std::string_view> can
   std::size_t best_distance = std::max<std::size_t>(name.size() / 3, 1);
   std::size_t best_prefix = 0;
   for (const std::string_view candidate : candidates) {
+    // At least as many letters must be put in, or taken out.
+    if (std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size()) >
+        best_distance)
+      continue;
     const std::size_t distance = edit_distance(name, candidate);
     if (distance > best_distance || distance >= candidate.size()) continue;
     // Of two equally near, the one that begins alike: slips at the beginning are rare.

@@ -5,9 +5,9 @@
 #include "app/io/checkpoint.h"
 #include "app/io/csv.h"
 #include "app/io/failure.h"
+#include "app/io/file_kind.h"
 #include "app/io/png.h"
 #include "app/io/provenance.h"
-#include "app/io/read_file.h"
 
 namespace pupflow::io {
 
@@ -40,9 +40,14 @@ void take_row(const std::string& path, std::int64_t row, Params& params) {
 }  // namespace
 
 TextEntries entries_of_file(const std::string& path) {
-  const std::string beginning = read_beginning(path, 8);
-  if (beginning == "\x89PNG\r\n\x1a\n") return read_png_text(path);
-  if (beginning == "\x89HDF\r\n\x1a\n") return read_hdf5_text(path);
+  switch (file_kind(path)) {
+    case FileKind::picture:
+      return read_png_text(path);
+    case FileKind::hdf5:
+      return read_hdf5_text(path);
+    case FileKind::text:
+      break;
+  }
   return read_csv_header(path);
 }
 

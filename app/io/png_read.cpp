@@ -2,18 +2,52 @@
 
 #include <csetjmp>
 #include <cstring>
+#include <string_view>
 
 #include "app/io/failure.h"
+#include "app/io/interrupt.h"
 #include "app/io/png.h"
 #include "app/io/read_file.h"
+#include "app/io/text.h"
 
 namespace pupflow::io {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
+constexpr std::size_t kLargestPicture = std::size_t{1} << 31;  // bytes of its pixels
 
 Failure no_png(const std::string& path, const std::string& reason) {
   return {ExitCode::bad_file, path + ": cannot read PNG: " + reason};
+}
+
+/// What is wrong with the sizes of the chunks in `bytes`, which libpng would take memory for; empty
+/// where nothing is.
+std::string wrong_chunk(std::string_view bytes) {
+  constexpr std::size_t kLongestText = std::size_t{1} << 24;
+  constexpr std::size_t kSignature = 8, kAround = 12;  // length, type and checksum of a chunk
+  for (std::size_t at = kSignature; at < bytes.size();) {
+    const std::string_view rest = bytes.substr(at);
+    if (rest.size() < kAround) return "it ends too early";
+    std::size_t length = 0;
+    for (const char byte : rest.substr(0, 4))
+      length = length << 8 | static_cast<unsigned char>(byte);
+    if (length > rest.size() - kAround) return "it ends too early";
+    const std::string_view type = rest.substr(4, 4);
+    if (type == "IEND") break;
+    if (type != "IDAT" && length > kLongestText) {
+      return "a " + printable(type) + " chunk has " + std::to_string(length) +
+             " bytes, more than " + std::to_string(kLongestText);
+    }
+    at += kAround + length;
+  }
+  return {};
+}
+
+/// The bytes of a file whose chunks have possible sizes.
+std::string checked_bytes(const std::string& path) {
+  std::string bytes = read_file(path, kLargestFile);
+  if (const std::string wrong = wrong_chunk(bytes); !wrong.empty()) throw no_png(path, wrong);
+  return bytes;
 }
 
 /// What the callbacks of libpng reach: the file's bytes and what went wrong.
@@ -47,6 +81,7 @@ bool read_chunks(png_structp png, png_infop info, png_infop end, Source& source)
   png_read_update_info(png, info);
   // libpng finds what follows the pixels only by way of them.
   for (png_uint_32 row = 0; row < png_get_image_height(png, info); ++row) {
+    if (interrupted()) png_error(png, "interrupted");
     for (int pass = 0; pass < passes; ++pass) png_read_row(png, nullptr, nullptr);
   }
   png_read_end(png, end);
@@ -65,13 +100,18 @@ void append_text(png_structp png, png_infop info, TextEntries& entries) {
 }  // namespace
 
 Image read_png(const std::string& path) {
-  const std::string bytes = read_file(path, kLargestFile);
+  const std::string bytes = checked_bytes(path);
   png_image png = {};
   png.version = PNG_IMAGE_VERSION;
   if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) {
     throw no_png(path, png.message);
   }
   png.format = PNG_FORMAT_RGBA;
+  if (std::uint64_t{4} * png.width * png.height > kLargestPicture) {
+    png_image_free(&png);
+    throw no_png(path, "it has " + std::to_string(png.width) + " x " + std::to_string(png.height) +
+                           " pixels, more than memory is taken for");
+  }
   Image image(static_cast<int>(png.width), static_cast<int>(png.height));
   if (!png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr)) {
     throw no_png(path, png.message);
@@ -81,7 +121,7 @@ Image read_png(const std::string& path) {
 
 TextEntries read_png_text(const std::string& path) {
   Source source;
-  source.bytes = read_file(path, kLargestFile);
+  source.bytes = checked_bytes(path);
   png_structp png =
       png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, note_error, accept_warning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -93,6 +133,8 @@ TextEntries read_png_text(const std::string& path) {
     append_text(png, end, entries);
   }
   png_destroy_read_struct(&png, &info, &end);
+  if (!done && interrupted())
+    throw Failure(ExitCode::interrupted, "interrupted while reading " + path);
   if (!done) throw no_png(path, source.error);
   return entries;
 }

@@ -1,12 +1,12 @@
 #include "app/io/provenance.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <span>
 #include <stdexcept>
 #include <string_view>
 
 #include "app/io/failure.h"
+#include "app/io/note.h"
 #include "app/io/schedule_text.h"
 #include "app/io/text.h"
 #include "pupflow/version.h"
@@ -117,8 +117,7 @@ void take_as_before(const std::vector<const Parameter*>& missing, const std::str
   const std::string taken = joined(missing, ", ", [&](const Parameter* parameter) {
     return std::string(parameter->name) + " = " + format_value(*parameter, params);
   });
-  std::fprintf(stderr, "pupflow: note: %s was written by an older version; taking %s\n",
-               where.c_str(), taken.c_str());
+  note(where + " was written by an older version; taking " + taken);
 }
 
 }  // namespace pupflow::io

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/io/failure.h"
-#include "app/io/hdf5_file.h"
+#include "app/io/hdf5_reader.h"
 #include "app/io/provenance.h"
 #include "app/io/recording.h"
 #include "app/io/text.h"
@@ -50,7 +50,8 @@ RecordedRun::RecordedRun(const std::string& path)
   for (const SetInfo& set : file_->sets()) {
     if (is_field(set)) fields_.push_back(set);
     if (set.name != "step") continue;
-    if (set.shape.size() != 1 || set.shape[0] > kMostFrames || !file_->is_filled("step")) {
+    if (set.shape.size() != 1 || set.shape[0] > kMostFrames ||
+        file_->frames_there("step") < set.shape[0]) {
       damaged("the size of 'step' cannot be right");
     }
     steps_.resize(set.shape[0]);
@@ -78,6 +79,9 @@ void RecordedRun::check_sizes() const {
     if (group == "point") expected.push_back(3);
     if (set.shape != expected || !number_type(set.type)) {
       damaged(quoted(set.name) + " has another size than its parameters say");
+    }
+    if (file_->frames_there(set.name) < frames()) {
+      damaged(quoted(set.name) + " has not all of its frames");
     }
   }
 }

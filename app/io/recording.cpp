@@ -1,6 +1,7 @@
 #include "app/io/recording.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <functional>
 
@@ -12,6 +13,8 @@
 
 namespace pupflow::io {
 namespace {
+
+constexpr std::chrono::milliseconds kFirstFlush{100}, kFlushes{5000};
 
 /// Integers where numbers only tell apart; points of large litters are many, so afferents are kept
 /// in few bytes.
@@ -71,7 +74,7 @@ class Recording::File {
  public:
   File(const std::string& path, bool force, const Params& params, const TextEntries& about,
        const RecordedFields& recorded)
-      : file(path, force), writer_(file) {
+      : file(path, force, Hdf5Kind::recording), writer_(file) {
     file.about(about);
     file.text("kind", "recording");
     file.number(file.id(), "layout", std::int64_t{kRecordingLayout});
@@ -79,10 +82,12 @@ class Recording::File {
     points_ = static_cast<hsize_t>(points_per_pup(params));
     write_skin(file, params.face_points);
     make_frames();
-    if (pups_ == 0) return;
-    make_fields(recorded.fields, false);
-    make_fields(recorded.fields, true);
-    if (recorded.positions) make_positions(params.precision);
+    if (pups_ > 0) {
+      make_fields(recorded.fields, false);
+      make_fields(recorded.fields, true);
+      if (recorded.positions) make_positions(params.precision);
+    }
+    file.only_grow();
   }
 
   void add(const LitterView& litter) {
@@ -91,6 +96,7 @@ class Recording::File {
       set.fill(litter, frame, *set.series);
       set.series->next_frame();
     }
+    if (Time::now() >= next_flush_) flush();
   }
 
   void finish() {
@@ -102,6 +108,17 @@ class Recording::File {
   Hdf5Writer file;
 
  private:
+  using Time = std::chrono::steady_clock;
+
+  /// What is recorded gets to the file after kFirstFlush, after twice that time, and so on, then
+  /// every kFlushes.
+  void flush() {
+    for (const Set& set : sets_) set.series->flush();
+    writer_.thread.run([this] { file.flush(); });
+    const Time::time_point now = Time::now();
+    next_flush_ = now + std::min<Time::duration>(now - start_, kFlushes);
+  }
+
   using Fill = std::function<void(const LitterView&, std::int64_t frame, FrameSeries&)>;
   struct Set {
     std::unique_ptr<FrameSeries> series;
@@ -118,9 +135,9 @@ class Recording::File {
   }
 
   void make_frames() {
-    FrameSeries& frame = add_set("frame", {}, NumberType::i8, "", "Number of the frame.",
-                                 [this](const LitterView&, std::int64_t number,
-                                        FrameSeries& series) { put(series, number); });
+    FrameSeries& frame = add_set(
+        "frame", {}, NumberType::i8, "", "Number of the frame.",
+        [](const LitterView&, std::int64_t number, FrameSeries& series) { put(series, number); });
     make_dimension(file, frame.id(), "frame");
     frame_ = &frame;
     add_set("time", {}, NumberType::f8, "s", "Time in the model.",
@@ -198,6 +215,7 @@ class Recording::File {
 
   hsize_t pups_ = 0, points_ = 0;
   std::int64_t frames_ = 0;
+  Time::time_point start_ = Time::now(), next_flush_ = start_ + kFirstFlush;
   std::vector<double> values_;
   std::vector<Set> sets_;  // closed before the file is,
   FrameSeries* frame_ = nullptr;

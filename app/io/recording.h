@@ -29,8 +29,9 @@ struct RecordedFields {
 /// Failure(bad_input).
 RecordedFields parse_recorded_fields(const std::string& names);
 
-/// One recording being written; appears whole or not at all. A second thread writes. Members throw
-/// Failure(bad_file).
+/// One recording being written; appears whole or not at all. Until then it can be read where it is
+/// written aside (FILE.PROCESS.unfinished), with what was flushed: after 0.1 s, 0.2 s, 0.4 s ... and
+/// then every 5 s. A second thread writes. Members throw Failure(bad_file).
 class Recording {
  public:
   /// Writes all that does not change: attributes and skin. `about` is what the file tells of its

@@ -10,6 +10,7 @@
 #include "app/io/read_file.h"
 #include "app/io/schedule_text.h"
 #include "app/io/text.h"
+#include "app/io/toml_depth.h"
 
 namespace pupflow::io {
 namespace {
@@ -175,6 +176,10 @@ bool looks_like_path(const std::string& scene) {
 Scene parse_scene(std::string_view text, const std::string& name,
                   std::vector<std::string>& problems) {
   Scene scene;
+  if (const std::string wrong = too_deep(text); !wrong.empty()) {
+    problems.push_back(name + ":" + wrong);
+    return scene;
+  }
   try {
     const toml::table table = toml::parse(text, name);
     for (const auto& [key, value] : in_order(table)) {

@@ -60,7 +60,7 @@ Setup set_up(const Settings& settings, const Params& base) {
   std::vector<std::string> problems;
   if (!settings.scene.empty()) {
     const Scene scene = load_scene(settings.scene, problems);
-    setup = {scene.params, scene.title, scene.description};
+    setup = {scene.params, printable(scene.title), printable(scene.description, "\n")};
   }
   if (!settings.like.empty()) setup.params = params_of_file(settings.like, settings.row);
   for (const std::string& set : settings.sets) take_set(set, setup.params, problems);

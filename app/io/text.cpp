@@ -1,14 +1,52 @@
 #include "app/io/text.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdarg>
 #include <cstdio>
 
 namespace pupflow::io {
 
+namespace {
+
+/// How many bytes of `text` from `at` on are one character that a terminal may show; 0 for none.
+std::size_t shown_length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  const unsigned first = byte(at);
+  if (first < 0x80) return first < 0x20 || first == 0x7f ? 0 : 1;
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  const bool overlong =
+      (first == 0xe0 && byte(at + 1) < 0xa0) || (first == 0xf0 && byte(at + 1) < 0x90);
+  const bool control = first == 0xc2 && byte(at + 1) < 0xa0;  // U+0080 ... U+009F
+  if (first < 0xc2 || first > 0xf4 || overlong || control) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xc0) != 0x80) return 0;
+  }
+  return length;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text, std::string_view kept) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const bool as_it_is = kept.find(text[at]) != std::string_view::npos;
+    const std::size_t length = as_it_is ? 1 : shown_length(text, at);
+    if (length == 0) {
+      result += formatted("\\x%02x", static_cast<unsigned>(static_cast<unsigned char>(text[at])));
+    } else {
+      result += text.substr(at, length);
+    }
+    at += std::max<std::size_t>(length, 1);
+  }
+  return result;
+}
+
 std::string quoted(std::string_view text) {
   std::string result(1, '\'');
-  result += text;
+  result += printable(text);
   result += '\'';
   return result;
 }

@@ -11,7 +11,11 @@
 
 namespace pupflow::io {
 
-/// `text` between single quotes.
+/// `text` as a terminal may show it: control characters (of C0, C1) and bytes that are no UTF-8 as
+/// \xNN, those in `kept` as they are.
+std::string printable(std::string_view text, std::string_view kept = {});
+
+/// `text` between single quotes, printable.
 std::string quoted(std::string_view text);
 
 /// A number in the shortest form that reads back to the same value; "nan" and "inf" where it is not

@@ -24,14 +24,20 @@ class Interface {
   virtual ~Interface() = default;
 
   /// For rank 0: an executor that uses all ranks, this one included. Its destructor stops the other
-  /// ranks. Throws io::Failure(bad_input) if MPI disagrees with the launcher about rank or size, or
-  /// if the command lines of two ranks differ.
+  /// ranks. Throws io::Failure(bad_input) if MPI disagrees with the launcher about rank or size, if
+  /// the command lines of two ranks differ, or if a rank cannot take part.
   virtual std::unique_ptr<study::Executor> start_leader(const RankInfo& self) = 0;
 
   /// For every other rank: computes the runs that rank 0 assigns, and returns when rank 0 stops it.
   /// Throws io::Failure: interrupted after a signal or when rank 0 is lost, bad_input if MPI
   /// disagrees with the launcher.
   virtual void run_worker(const RankInfo& self) = 0;
+
+  /// For a rank that cannot take part: ends the job. Rank 0 stops all others; any other rank tells
+  /// rank 0 why, which throws that, and returns when rank 0 stops it. Ends the process with `code` if
+  /// MPI cannot be initialised within lost_after: other ranks may have failed, too. Throws as
+  /// start_leader.
+  virtual void refuse_work(const RankInfo& self, const std::string& why, int code) = 0;
 };
 
 /// The only symbol that the module exports, and its type. The object lives as long as the module.

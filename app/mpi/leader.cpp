@@ -32,6 +32,12 @@ Leader::Leader(const RankInfo& self) : self_(self), timer_(self.lost_after, Cloc
 }
 
 Leader::~Leader() {
+  Leader::release();
+}
+
+void Leader::release() {
+  if (released_) return;
+  released_ = true;
   try {
     stop_workers();
   } catch (const std::exception& error) {
@@ -50,7 +56,7 @@ void Leader::wait_until_all(Predicate predicate) {
 
 void Leader::wait_for_workers() {
   wait_until_all([](const Peer& peer) { return peer.lost || peer.state != Peer::State::starting; });
-  if (!difference_.empty()) throw io::Failure(io::ExitCode::bad_input, difference_);
+  if (!refusal_.empty()) throw io::Failure(io::ExitCode::bad_input, refusal_);
 }
 
 void Leader::compute(std::int64_t count, const std::function<Params(std::int64_t)>& params_of,
@@ -117,6 +123,10 @@ void Leader::handle(const Message& message, Batch* batch) {
     case Tag::hello:
       handle_hello(message.source, peer, message.bytes);
       break;
+    case Tag::refused:
+      peer.state = Peer::State::failed;
+      refusal_ = "rank " + std::to_string(message.source) + ": " + message.bytes;
+      break;
     case Tag::result: {
       if (!batch) break;  // compute() has returned
       const Result result = unpack_result(message.bytes);
@@ -145,10 +155,10 @@ void Leader::handle_hello(int rank, Peer& peer, const std::string& bytes) {
   peer.threads = static_cast<std::size_t>(unpack<Hello>(bytes).threads);
   peer.state = Peer::State::working;
   const std::string command = bytes.substr(sizeof(Hello));
-  if (command == self_.command) return;
-  difference_ = "all ranks must be started with the same command, but rank 0 has '" +
-                self_.command + "' and rank " + std::to_string(rank) + " has '" + command +
-                "'; start independent processes without MPI (srun --mpi=none)";
+  if (command == self_.command || !refusal_.empty()) return;
+  refusal_ = "all ranks must be started with the same command, but rank 0 has '" + self_.command +
+             "' and rank " + std::to_string(rank) + " has '" + command +
+             "'; start independent processes without MPI (srun --mpi=none)";
 }
 
 void Leader::check_heartbeats(Batch* batch) {

@@ -15,16 +15,18 @@ class Leader : public study::Executor {
  public:
   explicit Leader(const RankInfo& self);
 
-  /// Stops the other ranks. Does not wait for lost ones.
   ~Leader() override;
 
   /// Waits until every rank has said hello or is lost. Throws io::Failure(bad_input) if the command
-  /// lines of two ranks differ.
+  /// lines of two ranks differ, or one cannot take part.
   void wait_for_workers();
 
   void compute(std::int64_t count, const std::function<Params(std::int64_t)>& params_of,
                const std::function<void(std::int64_t, const RunResult&)>& deliver,
                const std::function<bool()>& stop, std::int64_t series_every) override;
+
+  /// Stops the other ranks, once; the destructor does it, too. Does not wait for lost ones.
+  void release() override;
 
  private:
   struct Peer {  // another rank
@@ -58,7 +60,8 @@ class Leader : public study::Executor {
   Mailbox mailbox_;
   std::vector<Peer> peers_;  // by rank; the first is this rank's and is not used
   HeartbeatTimer timer_;
-  std::string difference_;  // an error message if the command lines of two ranks differ
+  bool released_ = false;
+  std::string refusal_;  // why the job cannot start; empty if it can
 };
 
 }  // namespace pupflow::mpi

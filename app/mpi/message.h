@@ -15,6 +15,7 @@ namespace pupflow::mpi {
 /// The MPI tag of a message: its kind, which says what its bytes hold.
 enum class Tag {
   hello,      // from a worker: Hello, then its command line
+  refused,    // from a worker, in place of hello: why it cannot take part
   task,       // from the leader: Task
   result,     // from a worker: Result, by pack_result
   failed,     // from a worker: it computes no more; the reason as text

@@ -1,7 +1,11 @@
 // The MPI module: implements the interface.
 #include <mpi.h>
+#include <unistd.h>
 
 #include <array>
+#include <atomic>
+#include <memory>
+#include <thread>
 
 #include "app/io/failure.h"
 #include "app/mpi/leader.h"
@@ -35,6 +39,23 @@ void initialise(const RankInfo& self) {
                         ": start it with the mpirun of this MPI, or with srun --mpi=pmix");
 }
 
+/// Ends the process if MPI is not initialised in time: MPI_Init waits for all ranks.
+class Watchdog {
+ public:
+  Watchdog(std::chrono::seconds limit, int code) {
+    std::thread([limit, code, done = done_] {
+      std::this_thread::sleep_for(limit);
+      if (!*done) ::_exit(code);
+    }).detach();
+  }
+  ~Watchdog() { *done_ = true; }
+  Watchdog(const Watchdog&) = delete;
+  Watchdog& operator=(const Watchdog&) = delete;
+
+ private:
+  std::shared_ptr<std::atomic<bool>> done_ = std::make_shared<std::atomic<bool>>(false);
+};
+
 class Module final : public Interface {
  public:
   std::unique_ptr<study::Executor> start_leader(const RankInfo& self) override {
@@ -47,6 +68,15 @@ class Module final : public Interface {
   void run_worker(const RankInfo& self) override {
     initialise(self);
     mpi::run_worker(self);
+  }
+
+  void refuse_work(const RankInfo& self, const std::string& why, int code) override {
+    {
+      const Watchdog watchdog(self.lost_after, code);
+      initialise(self);
+    }
+    if (self.rank > 0) return mpi::refuse_work(self, why);
+    Leader(self).wait_for_workers();
   }
 };
 

@@ -1,12 +1,19 @@
 #include "app/mpi/thread_pool.h"
 
+#include <system_error>
 #include <utility>
 
 namespace pupflow::mpi {
 
 ThreadPool::ThreadPool(int threads, std::function<bool()> stop)
     : stop_(std::move(stop)), idle_(threads) {
-  for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+  threads_.reserve(static_cast<std::size_t>(threads));
+  try {
+    for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+  } catch (const std::system_error&) {
+    if (threads_.empty()) throw;
+    idle_ = static_cast<int>(threads_.size());  // fewer do the work
+  }
 }
 
 ThreadPool::~ThreadPool() {

@@ -24,12 +24,18 @@ std::string message_of(const std::exception_ptr& failure) {
 
 class Worker {
  public:
-  explicit Worker(const RankInfo& self) : self_(self) {
-    pool_.emplace(self.threads, io::interrupted);
+  /// One that computes, or one that only says why it cannot.
+  explicit Worker(const RankInfo& self, std::string refusal = {})
+      : self_(self), refusal_(std::move(refusal)) {
+    if (refusal_.empty()) pool_.emplace(self.threads, io::interrupted);
   }
 
   void run() {
-    mailbox_.send(kLeader, Tag::hello, pack(Hello{self_.threads}) + self_.command);
+    if (refusal_.empty()) {
+      mailbox_.send(kLeader, Tag::hello, pack(Hello{self_.threads}) + self_.command);
+    } else {
+      mailbox_.send(kLeader, Tag::refused, refusal_);
+    }
     while (!stop_) {
       send_result();
       communicate();
@@ -101,8 +107,9 @@ class Worker {
   }
 
   RankInfo self_;
+  std::string refusal_;
   Mailbox mailbox_;
-  std::optional<ThreadPool> pool_;  // empty after a failure and after a stop
+  std::optional<ThreadPool> pool_;  // empty after a refusal, a failure and a stop
   bool stop_ = false;               // rank 0 has sent Tag::stop
   std::optional<Shutdown> shutdown_;
   Clock::time_point heard_ = Clock::now();  // the last message from rank 0
@@ -113,6 +120,10 @@ class Worker {
 
 void run_worker(const RankInfo& self) {
   Worker(self).run();
+}
+
+void refuse_work(const RankInfo& self, const std::string& why) {
+  Worker(self, why).run();
 }
 
 }  // namespace pupflow::mpi

@@ -9,4 +9,7 @@ namespace pupflow::mpi {
 /// when rank 0 is lost.
 void run_worker(const RankInfo& self);
 
+/// The same for a rank that cannot take part; `why` is told to rank 0.
+void refuse_work(const RankInfo& self, const std::string& why);
+
 }  // namespace pupflow::mpi

@@ -197,6 +197,8 @@ void figure1(const Figure1Job& job) {
   io::refuse_existing(job.output.path, job.output.force);
   std::vector<Simulation> list = litters(job);
   const Headless headless(job.look);
+  const Layout layout(job.panel, static_cast<int>(list.size()), job.look.scale);
+  refuse_large(layout.width(), layout.height(), job.panel, job.panel);
   run_all(list, job);
 
   std::string panels;

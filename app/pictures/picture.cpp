@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "app/context/headless.h"
+#include "app/gl/target.h"
 #include "app/io/failure.h"
+#include "app/io/memory.h"
 #include "app/io/text.h"
 #include "app/view/canvas.h"
 #include "app/view/mark_painter.h"
@@ -94,6 +96,10 @@ view::ColorScale Picture::scale_for(const LitterView& litter) {
   return scale;
 }
 
+void Picture::refuse_large() const {
+  pictures::refuse_large(width_, height_, scene_width_, height_);
+}
+
 io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
                         const view::Camera& camera) {
   const view::Drawing drawing{
@@ -153,6 +159,14 @@ void check_samples(int supersample) {
   if (supersample >= 1 && supersample <= kMostSamples) return;
   io::refuse("the samples across a pixel must be " + limits(1, kMostSamples) + ", not " +
              std::to_string(supersample));
+}
+
+void refuse_large(int width, int height, int drawn_width, int drawn_height) {
+  constexpr double kOfPixel = 32;  // bytes: it passes through copies on its way to the file
+  gl::Target::refuse_large(drawn_width, drawn_height);
+  io::refuse_large("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                       " pixels",
+                   kOfPixel * static_cast<double>(width) * height, "fewer pixels need less");
 }
 
 io::TextEntries look_entries(const Look& look, const view::ColorScale& scale) {

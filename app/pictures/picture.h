@@ -47,6 +47,10 @@ class Picture {
   /// Tells of the litter between pictures, for trails. Does nothing without them.
   void watch(const LitterView& litter);
 
+  /// Call it with the renderer's context current before long work. Throws like `draw`, and where
+  /// memory does not suffice.
+  void refuse_large() const;
+
   /// The litter as `camera` sees it. In a sequence, automatic scales follow the data within half a
   /// second of the model. The renderer's context must be current. Throws Failure(bad_input) when
   /// the driver allows no picture of that size with the look's samples.
@@ -76,6 +80,11 @@ class Picture {
 
 /// Throws Failure(bad_input) unless 1 <= supersample <= kMostSamples.
 void check_samples(int supersample);
+
+/// Throws Failure(bad_input) when a picture of that size, of which a part of `drawn_width` x
+/// `drawn_height` pixels is drawn at a time, is more than OpenGL or the memory allows. An OpenGL
+/// context must be current.
+void refuse_large(int width, int height, int drawn_width, int drawn_height);
 
 /// How files name what a picture with this look and this fitted scale shows.
 io::TextEntries look_entries(const Look& look, const view::ColorScale& scale);

@@ -1,9 +1,10 @@
 #include "app/pictures/render.h"
 
 #include <filesystem>
-#include <future>
+#include <optional>
 
 #include "app/io/atomic_file.h"
+#include "app/io/background.h"
 #include "app/io/failure.h"
 #include "app/io/frame_path.h"
 #include "app/io/interrupt.h"
@@ -39,18 +40,19 @@ void check_job(const RenderJob& job) {
 /// Refuses before any work what could not be written after it. Numbered frames may go to a folder
 /// that is still to be made.
 void check_outputs(const RenderJob& job) {
-  const auto folder =
-      std::filesystem::path(io::frame_path(job.output.path, job.at.front())).parent_path();
-  if (io::has_number(job.output.path) && !folder.empty() && !std::filesystem::exists(folder)) {
+  std::filesystem::path made;
+  for (const std::int64_t step : job.at) {
+    const std::string path = io::frame_path(job.output.path, step);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    if (io::has_number(job.output.path) && folder != made)
+      std::filesystem::create_directories(folder, error);
+    made = folder;
     if (error) {
       throw io::Failure(io::ExitCode::bad_file,
                         folder.string() + ": cannot make the folder: " + error.message());
     }
-  }
-  for (const std::int64_t step : job.at) {
-    io::refuse_existing(io::frame_path(job.output.path, step), job.output.force);
+    io::refuse_existing(path, job.output.force);
   }
 }
 
@@ -71,15 +73,17 @@ class Writer {
     extra.emplace_back("size", std::to_string(image.width) + "x" + std::to_string(image.height));
     extra.emplace_back("bar", job_.bar ? "true" : "false");
     extra.insert(extra.end(), look.begin(), look.end());
-    pending_ = std::async(std::launch::async, [this, step, extra, frame = std::move(image)] {
-      io::write_png(io::frame_path(job_.output.path, step), frame,
+    frame_ = std::move(image);
+    pending_ = thread_.run([this, step, extra] {
+      io::write_png(io::frame_path(job_.output.path, step), frame_,
                     io::provenance(job_.params, extra), job_.output.force, png_options(job_.look));
     });
   }
 
   void finish() {
-    if (!pending_.valid()) return;
-    pending_.get();
+    if (!pending_) return;
+    thread_.wait(*pending_);
+    pending_.reset();
     ++written_;
   }
 
@@ -92,8 +96,10 @@ class Writer {
 
  private:
   const RenderJob& job_;
-  std::future<void> pending_;
+  io::Image frame_;
+  std::optional<io::Background::Ticket> pending_;
   std::size_t written_ = 0;
+  io::Background thread_;  // last: it uses the others
 };
 
 /// The litter to begin with. What its colors show is recorded from the first frame on.
@@ -130,6 +136,7 @@ void render(const RenderJob& job) {
   Picture picture(job.width, job.height, job.bar, job.look);
   view::Camera camera = view::framed(job.camera, job.params, picture.scene_aspect());
   const Headless headless(job.look);
+  picture.refuse_large();
   check_outputs(job);
   Writer writer(job);
   io::Progress progress("render", job.at.back(), job.output.quiet);

@@ -1,6 +1,7 @@
 #include "app/study/axis.h"
 
 #include <algorithm>
+#include <set>
 
 #include "app/io/failure.h"
 #include "app/io/nearest.h"
@@ -92,11 +93,14 @@ std::vector<double> range_values(const Typed& typed, const Parts& parts) {
 
 std::vector<double> listed_values(const Typed& typed) {
   std::vector<double> values;
-  for (const std::string_view part : io::split(typed.range, ',')) {
-    const double value = value_of(typed.parameter, part);
-    if (std::find(values.begin(), values.end(), value) != values.end())
+  std::set<double> seen;
+  const Parts parts = io::split(typed.range, ',');
+  if (std::ssize(parts) > kMostValues)
+    refuse(typed.option + ": lists more than " + std::to_string(kMostValues) + " values");
+  for (const std::string_view part : parts) {
+    values.push_back(value_of(typed.parameter, part));
+    if (!seen.insert(values.back()).second)
       refuse(typed.option + ": " + std::string(part) + " is listed twice");
-    values.push_back(value);
   }
   return values;
 }

@@ -58,7 +58,9 @@ std::string summary_of(const std::string& path) {
 Table read_table(const std::string& path) {
   Table table{path, {}, {}};
   std::istringstream lines(io::read_file(path, std::size_t{1} << 30));
+  std::int64_t number = 0;
   for (std::string line; std::getline(lines, line);) {
+    ++number;
     if (line.ends_with('\r')) line.pop_back();
     if (line.empty() || line.starts_with('#')) continue;
     const auto parts = io::split(line, ',');
@@ -68,10 +70,12 @@ Table read_table(const std::string& path) {
       continue;
     }
     if (cells.size() != table.names.size())
-      refuse(path + ": a row has another number of cells than the header: " + line);
+      refuse(path + ":" + std::to_string(number) + ": has " + std::to_string(cells.size()) +
+             " cells, and the header " + std::to_string(table.names.size()));
     table.rows.push_back(std::move(cells));
   }
   table.column("runs");
+  if (table.rows.empty()) refuse(path + ": has no rows to compare");
   return table;
 }
 
@@ -160,7 +164,7 @@ std::string comparison_text(const Comparison& comparison) {
   constexpr int kWidth = 9;
   char cell[96];
   for (const std::string& name : comparison.varied) {
-    std::snprintf(cell, sizeof cell, "%12s", name.c_str());
+    std::snprintf(cell, sizeof cell, "%12s", io::printable(name).c_str());
     text += cell;
   }
   for (const std::string& name : comparison.observables) {
@@ -172,7 +176,7 @@ std::string comparison_text(const Comparison& comparison) {
     if (i % comparison.observables.size() == 0) {
       text += "\n";
       for (const std::string& value : comparison.key[d.row]) {
-        std::snprintf(cell, sizeof cell, "%12.10s", value.c_str());
+        std::snprintf(cell, sizeof cell, "%12.10s", io::printable(value).c_str());
         text += cell;
       }
     }

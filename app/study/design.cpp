@@ -3,6 +3,7 @@
 #include <set>
 
 #include "app/io/failure.h"
+#include "app/io/interrupt.h"
 #include "app/io/text.h"
 #include "pupflow/ensemble.h"
 
@@ -81,8 +82,8 @@ Params Design::params_of(std::int64_t run) const {
 }
 
 std::vector<std::int64_t> Design::own_runs() const {
-  std::vector<std::int64_t> own;
-  for (std::int64_t run = shard.number - 1; run < runs(); run += shard.of) own.push_back(run);
+  std::vector<std::int64_t> own(static_cast<std::size_t>(own_count()));
+  for (std::size_t i = 0; i < own.size(); ++i) own[i] = own_run(static_cast<std::int64_t>(i));
   return own;
 }
 
@@ -124,12 +125,19 @@ void check_design(const Design& design) {
       refuse("--vary " + std::string(axis.parameter->name) + " is given twice");
     }
   }
+  if (!design.given_seeds.empty() && design.seeds != 1)
+    refuse("a table that gives the seed of each run has one run a row, not " +
+           std::to_string(design.seeds));
   const std::int64_t points = design.points();
-  if (points > kMostRuns || design.seeds > kMostRuns || design.runs() > kMostRuns) {
+  // The block is no number of runs, but numbers of runs are multiples of it.
+  if (points > kMostRuns || design.seeds > kMostRuns || design.runs() > kMostRuns ||
+      design.seed_block > kMostRuns) {
     refuse("the sweep has more than " + std::to_string(kMostRuns) +
            " runs; vary less or use fewer seeds");
   }
+  if (points < 1) refuse("the sweep has no runs; say what varies");
   for (std::int64_t point = 0; point < points; ++point) {
+    if (io::interrupted()) throw io::Failure(io::ExitCode::interrupted, "interrupted");
     const Params params = design.params_of(point * design.seeds);
     const std::vector<std::string> problems = run_problems(params);
     if (!problems.empty()) refuse(io::joined(problems, "\n"));

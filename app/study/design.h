@@ -63,7 +63,9 @@ struct Design {
   /// Parameters of one run, its own seed included.
   Params params_of(std::int64_t run) const;
 
-  /// The runs of the shard, in order.
+  /// The runs of the shard, in order: how many, the one at `place`, all of them.
+  std::int64_t own_count() const { return (runs() - shard.number + shard.of) / shard.of; }
+  std::int64_t own_run(std::int64_t place) const { return shard.number - 1 + place * shard.of; }
   std::vector<std::int64_t> own_runs() const;
 };
 

@@ -20,6 +20,10 @@ class Executor {
   virtual void compute(std::int64_t count, const std::function<Params(std::int64_t)>& params_of,
                        const std::function<void(std::int64_t, const RunResult&)>& deliver,
                        const std::function<bool()>& stop, std::int64_t series_every) = 0;
+
+  /// Lets the other processes end. To be called when there is nothing more to compute: they would
+  /// take this one for lost while it writes and draws.
+  virtual void release() = 0;
 };
 
 }  // namespace pupflow::study

@@ -1,5 +1,6 @@
 #include "app/study/folder.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
+#include "app/io/text.h"
 #include "app/study/extend.h"
 #include "app/study/files.h"
 #include "app/study/series.h"
@@ -18,15 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestManifest = std::size_t{1} << 26;
-
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw io::Failure(io::ExitCode::bad_file,
-                      folder + ": cannot make this folder: " + error.message());
-  }
-}
 
 /// Everything that any sweep has beside its manifest.
 std::vector<std::string> other_files(const std::string& folder, const Design& design) {
@@ -46,6 +39,7 @@ void write_text(const std::string& path, const std::string& text) {
 
 void claim_folder(const std::string& folder, const Design& design, bool force) {
   make_folder(folder);
+  refuse_links(folder, design);
   const std::string text = manifest_text(design), path = manifest_path(folder);
   const bool claimed = fs::exists(path);
   const std::string there = claimed ? io::read_file(path, kLargestManifest) : "";
@@ -92,6 +86,19 @@ Design design_of_folder(const std::string& folder) {
                     path + ": is not as this program writes it: " + manifest_difference(text, own));
 }
 
+namespace {
+
+/// What a message shows of a line: all of it, or of a long one what stands round `at`.
+std::string shown(const std::string& line, std::size_t at) {
+  constexpr std::size_t kMost = 100, kBefore = 40;
+  if (line.size() <= kMost) return io::quoted(line);
+  const std::size_t begin = at < kMost / 2 ? 0 : at - kBefore;
+  return io::quoted((begin > 0 ? "..." : "") + line.substr(begin, kMost) +
+                    (begin + kMost < line.size() ? "..." : ""));
+}
+
+}  // namespace
+
 std::string manifest_difference(const std::string& there, const std::string& now) {
   std::istringstream a(there), b(now);
   std::string line_a, line_b;
@@ -99,9 +106,13 @@ std::string manifest_difference(const std::string& there, const std::string& now
     const bool more_a = static_cast<bool>(std::getline(a, line_a));
     const bool more_b = static_cast<bool>(std::getline(b, line_b));
     if (!more_a && !more_b) return "nothing";
-    if (!more_a || !more_b || line_a != line_b) {
-      return "'" + (more_a ? line_a : "") + "' there, '" + (more_b ? line_b : "") + "' now";
-    }
+    if (more_a && more_b && line_a == line_b) continue;
+    if (!more_a) line_a.clear();
+    if (!more_b) line_b.clear();
+    const auto differs =
+        std::mismatch(line_a.begin(), line_a.end(), line_b.begin(), line_b.end()).first;
+    const auto at = static_cast<std::size_t>(differs - line_a.begin());
+    return shown(line_a, at) + " there, " + shown(line_b, at) + " now";
   }
 }
 

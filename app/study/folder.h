@@ -9,16 +9,17 @@ namespace pupflow::study {
 
 /// Makes the folder belong to this design. A new folder, or one taken over with `force`, then holds
 /// only the manifest, and the table of a design that is one. A folder whose sweep this one extends
-/// (extend.h) keeps its finished runs. Throws io::Failure: bad_input, naming the difference, when it
-/// holds another sweep and `force` is false; bad_file when it cannot be made or written to, or holds files of the
-/// same names without a manifest.
+/// (extend.h) keeps its finished runs. Call it with the folder held (lock.h). Throws io::Failure:
+/// bad_input, naming the difference, when it holds another sweep and `force` is false; bad_file when
+/// it cannot be made or written to, or holds files of the same names without a manifest, or links in
+/// their place.
 void claim_folder(const std::string& folder, const Design& design, bool force);
 
 /// The design that a folder's manifest holds. Throws io::Failure: bad_file when it cannot be read,
 /// bad_input when it is not as this version of the program writes it.
 Design design_of_folder(const std::string& folder);
 
-/// The first line in which two manifests differ, as text.
+/// The first line in which two manifests differ, as text; of long lines the part that differs.
 std::string manifest_difference(const std::string& there, const std::string& now);
 
 }  // namespace pupflow::study

@@ -21,7 +21,7 @@ namespace {
 
 template <class T>
 T required(const toml::node_view<toml::node>& node, const char* key, const std::string& where) {
-  const auto value = node[key].value<T>();
+  const auto value = node[key].value_exact<T>();  // toml++ would cast any number
   if (!value) refuse(where, std::string(key) + " is missing or of another kind");
   return *value;
 }
@@ -136,12 +136,28 @@ void read_points(Node sweep, const std::string& where, const std::string& table,
   spread_latin(design, spans, points);
 }
 
+/// Refuses forms of TOML that no manifest has. The parser goes as deep as tables lie in each other.
+void check_lines(const std::string& text, const std::string& where) {
+  constexpr const char* kName = "abcdefghijklmnopqrstuvwxyz0123456789_";
+  std::int64_t number = 0;
+  for (const std::string_view line : io::split(text, '\n')) {
+    ++number;
+    if (line.empty() || line.starts_with('#') || line == "[sweep]" || line == "[parameters]")
+      continue;
+    const std::size_t end = line.find_first_not_of(kName);
+    if (end == 0 || end == line.npos || !line.substr(end).starts_with(" = ") ||
+        line.find('{') != line.npos)
+      refuse(where + ":" + std::to_string(number), "a line is neither 'name = value' nor a table");
+  }
+}
+
 /// What this program calls its sweeps.
 constexpr const char* kNames[] = {"sweep", "figure2"};
 
 }  // namespace
 
 Design parse_manifest(const std::string& text, const std::string& where, const std::string& table) {
+  check_lines(text, where);
   toml::table toml;
   try {
     toml = toml::parse(text);
@@ -159,9 +175,11 @@ Design parse_manifest(const std::string& text, const std::string& where, const s
   read_parameters(toml, where, design.base);
   read_points(sweep, where, table, design);
   design.seeds = required<std::int64_t>(sweep, "seeds", where);
-  design.seed_block = sweep["seed_block"].value_or(design.seeds);
-  design.record_every = sweep["record_every"].value_or(std::int64_t{0});
-  if (design.seeds < 1 || design.seed_block < 1) refuse(where, "seeds must be at least 1");
+  design.seed_block = sweep["seed_block"].value_exact<std::int64_t>().value_or(design.seeds);
+  design.record_every = sweep["record_every"].value_exact<std::int64_t>().value_or(0);
+  if (design.seeds < 1) refuse(where, "seeds must be at least 1");
+  if (design.seed_block != design.seeds && design.seed_block != kSeedBlock)
+    refuse(where, "seed_block must be " + std::to_string(kSeedBlock));
   if (design.record_every < 0) refuse(where, "record_every must be at least 0");
   check_design(design);
   return design;

@@ -7,6 +7,7 @@
 #include "app/io/failure.h"
 #include "app/io/gnuplot.h"
 #include "app/io/provenance.h"
+#include "app/io/read_file.h"
 #include "app/study/files.h"
 #include "app/study/plot_script.h"
 #include "app/study/plot_source.h"
@@ -15,8 +16,10 @@ namespace pupflow::study {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kLargestScript = std::size_t{1} << 30;
+
 std::string draw_plots(const std::string& folder, const Design& design,
-                       const std::vector<Summary>& summaries) {
+                       const std::vector<Summary>& summaries, const std::string& named) {
   const std::string text = plot_script(design, summaries);
   if (text.empty()) {
     return "no plot: " + std::to_string(plotted_axes(design).size()) +
@@ -29,10 +32,13 @@ std::string draw_plots(const std::string& folder, const Design& design,
     io::AtomicFile file(path, false);
     file.write(text);
     file.commit();
+  } else if (named.empty() && io::read_file(path, kLargestScript) != text) {
+    return "no plot: " + path + " was edited, so it is not run by itself; add --plot-script " +
+           path + ", or run 'gnuplot " + design.name + ".gp' in " + folder;
   }
   const std::string manifest = manifest_text(design);
   const io::Drawing drawing{folder, design.name,
-                            io::provenance(design.base, {{"manifest", manifest}}), manifest};
+                            io::provenance(design.base, {{"manifest", manifest}}), manifest, named};
   switch (io::draw(drawing)) {
     case io::Drawn::done:
       return {};

@@ -33,7 +33,8 @@ std::string marks(const Design& design, const Axis& axis, bool labelled) {
   const Params params = design.params_of(0);
   const auto [low, high] = std::minmax_element(axis.values.begin(), axis.values.end());
   std::ostringstream s;
-  const auto mark = [&](int number, double at, const char* text, const char* side, int dash) {
+  const auto mark = [&, low = low, high = high](int number, double at, const char* text,
+                                                const char* side, int dash) {
     if (!(at >= *low && at <= *high)) return;
     const std::string x = io::number_text(at);
     s << "  set arrow " << number << " from " << x << ", graph 0 to " << x << ", graph 1 nohead dt "

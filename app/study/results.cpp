@@ -17,7 +17,6 @@ namespace pupflow::study {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kLargestFile = std::size_t{1} << 34;
 
 /// The cells before the status: varied values, then the seed.
 std::string key_text(const Design& design, std::int64_t run) {
@@ -140,11 +139,18 @@ std::string row_text(const Design& design, const Row& row) {
   return text;
 }
 
+std::size_t largest_file(const Design& design) {
+  constexpr std::size_t kHeader = std::size_t{1} << 27, kRow = 8192;
+  return kHeader + static_cast<std::size_t>(design.own_count()) * kRow;
+}
+
 std::optional<Row> parse_row(const Design& design, std::int64_t run, const std::string& line) {
   const std::string key = key_text(design, run);
   if (!line.starts_with(key)) return std::nullopt;
   const auto cells = io::split(std::string_view(line).substr(key.size()), ',');
   if (cells.size() != 1 + kRunStatisticCount || cells[0].empty()) return std::nullopt;
+  const auto plain = [](char c) { return c >= ' ' && c <= '~'; };  // it is printed on terminals
+  if (!std::all_of(cells[0].begin(), cells[0].end(), plain)) return std::nullopt;
   Row row;
   row.run = run;
   row.status = cells[0];
@@ -224,33 +230,32 @@ void write_summary(const std::string& path, const Design& design,
 }
 
 std::vector<Row> read_runs(const std::string& path, const Design& design) {
-  std::istringstream lines(io::read_file(path, kLargestFile));
-  std::vector<std::int64_t> runs = design.own_runs();
+  std::istringstream lines(io::read_file(path, largest_file(design)));
+  const std::int64_t total = design.own_count();
   std::vector<Row> rows;
   bool columns = false;
   std::int64_t number = 0;
+  const auto refuse = [&](const std::string& what) {
+    io::refuse(path + ":" + std::to_string(number) + ": " + what);
+  };
   for (std::string line; std::getline(lines, line);) {
     ++number;
     if (line.starts_with('#')) continue;
     if (!columns) {
       columns = true;
       if (line == runs_columns(design)) continue;
-      throw io::Failure(io::ExitCode::bad_input, path + ":" + std::to_string(number) +
-                                                     ": the columns are not those of its manifest");
+      refuse("the columns are not those of its manifest");
     }
-    const std::optional<Row> row =
-        rows.size() < runs.size() ? parse_row(design, runs[rows.size()], line) : std::nullopt;
-    if (!row) {
-      throw io::Failure(io::ExitCode::bad_input, path + ":" + std::to_string(number) +
-                                                     ": this row is damaged or of another sweep; "
-                                                     "remove the file to compute its runs again");
-    }
+    const auto row = std::ssize(rows) < total
+                         ? parse_row(design, design.own_run(std::ssize(rows)), line)
+                         : std::nullopt;
+    if (!row)
+      refuse("this row is damaged or of another sweep; remove the file to compute its runs again");
     rows.push_back(*row);
   }
-  if (rows.size() != runs.size()) {
-    throw io::Failure(io::ExitCode::bad_input, path + ": holds " + std::to_string(rows.size()) +
-                                                   " of " + std::to_string(runs.size()) +
-                                                   " runs; remove it to compute them again");
+  if (std::ssize(rows) != total) {
+    io::refuse(path + ": holds " + std::to_string(rows.size()) + " of " + std::to_string(total) +
+               " runs; remove it to compute them again");
   }
   return rows;
 }

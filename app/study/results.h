@@ -32,6 +32,9 @@ double statistic(const Row& row, std::size_t i);
 std::string runs_columns(const Design& design);
 std::string row_text(const Design& design, const Row& row);
 
+/// How many bytes a file with a row per run may have, its manifest included.
+std::size_t largest_file(const Design& design);
+
 /// Reads such a line of run number `run`. Nothing when the line is damaged or belongs to another
 /// run.
 std::optional<Row> parse_row(const Design& design, std::int64_t run, const std::string& line);

@@ -9,6 +9,7 @@
 #include "app/io/provenance.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
+#include "app/study/files.h"
 
 namespace pupflow::study {
 namespace {
@@ -38,10 +39,6 @@ void make_series_folder(const std::string& folder) {
 
 }  // namespace
 
-std::string series_folder(const std::string& folder) {
-  return folder + "/series";
-}
-
 std::string series_path(const std::string& folder, const Design& design, std::int64_t run) {
   return series_folder(folder) + "/" + std::to_string(run / design.seeds + 1) + "-" +
          std::to_string(run % design.seeds + 1) + ".csv";
@@ -63,8 +60,9 @@ void write_series(const std::string& folder, const Design& design, std::int64_t 
   if (design.record_every == 0) return;
   make_series_folder(folder);
   const Params params = design.params_of(run);
-  io::CsvFile csv(series_path(folder, design, run), true, io::provenance(params),
-                  io::joined(io::metrics_columns(), ","));
+  const std::string path = series_path(folder, design, run);
+  refuse_no_file(path);
+  io::CsvFile csv(path, true, io::provenance(params), io::joined(io::metrics_columns(), ","));
   for (const Sample& sample : result.series) {
     csv.row(io::metrics_cells(sample.step, sample.time, sample.seen));
   }
@@ -79,7 +77,9 @@ void copy_series(const std::string& from, const Design& shard, const std::string
   if (shard.record_every == 0) return;
   make_series_folder(to);
   for (const std::int64_t run : shard.own_runs()) {
-    io::AtomicFile copy(series_path(to, shard, run), true);
+    const std::string path = series_path(to, shard, run);
+    refuse_no_file(path);
+    io::AtomicFile copy(path, true);
     copy.write(io::read_file(series_path(from, shard, run), kLargestSeries));
     copy.commit();
   }
@@ -87,6 +87,7 @@ void copy_series(const std::string& from, const Design& shard, const std::string
 
 void remove_series(const std::string& folder) {
   std::error_code error;
+  if (fs::is_symlink(series_folder(folder), error)) return;  // its files are not this sweep's
   for (const auto& entry : fs::directory_iterator(series_folder(folder), error)) {
     if (!is_series(entry.path().filename().string())) continue;
     if (!fs::remove(entry.path(), error) && error) {

@@ -8,10 +8,7 @@
 
 namespace pupflow::study {
 
-/// The folder of the series in a sweep's folder.
-std::string series_folder(const std::string& folder);
-
-/// FOLDER/series/P-S.csv for seed number S of point number P, both counted from 1.
+/// The file in series_folder (files.h): FOLDER/series/P-S.csv for seed number S of point number P, both counted from 1.
 std::string series_path(const std::string& folder, const Design& design, std::int64_t run);
 
 /// Whether the series of a run is there, or the design has none.

@@ -34,7 +34,7 @@ std::optional<Decimal> read_decimal(std::string_view text) {
   const std::size_t e = text.find_first_of("eE");
   if (e != std::string_view::npos) {
     const auto power = io::read_number<int>(without_plus(text.substr(e + 1)));
-    if (!power || std::abs(*power) > 99) return std::nullopt;
+    if (!power || *power < -99 || *power > 99) return std::nullopt;
     exponent = *power;
   }
   std::string digits(without_plus(text.substr(0, e)));

@@ -5,10 +5,12 @@
 
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
+#include "app/io/note.h"
 #include "app/io/progress.h"
 #include "app/study/files.h"
 #include "app/study/folder.h"
 #include "app/study/journal.h"
+#include "app/study/lock.h"
 #include "app/study/plot.h"
 #include "app/study/series.h"
 
@@ -25,6 +27,13 @@ std::vector<std::int64_t> missing_runs(const SweepJob& job, const Journal& journ
       missing.push_back(run);
   }
   return missing;
+}
+
+void tell_of_damage(const Journal& journal, const std::string& path) {
+  if (journal.damaged() == 0) return;
+  const bool one = journal.damaged() == 1;
+  io::note(std::to_string(journal.damaged()) + " damaged row" + (one ? "" : "s") + " of " + path +
+           (one ? " is" : " are") + " computed again");
 }
 
 void compute(const SweepJob& job, const std::vector<std::int64_t>& missing, Journal& journal) {
@@ -57,7 +66,8 @@ void compute(const SweepJob& job, const std::vector<std::int64_t>& missing, Jour
 
 }  // namespace
 
-SweepResult write_results(const std::string& folder, const Design& design, std::vector<Row> rows) {
+SweepResult write_results(const std::string& folder, const Design& design, std::vector<Row> rows,
+                          const std::string& plot_script) {
   SweepResult result;
   result.rows = std::move(rows);
   write_runs(runs_path(folder), design, result.rows);
@@ -68,18 +78,21 @@ SweepResult write_results(const std::string& folder, const Design& design, std::
   }
   result.summaries = summarise(design, result.rows);
   write_summary(summary_path(folder), design, result.summaries);
-  result.note = draw_plots(folder, design, result.summaries);
+  result.note = draw_plots(folder, design, result.summaries, plot_script);
   return result;
 }
 
 SweepResult run_sweep(const SweepJob& job) {
   check_design(job.design);
+  const FolderLock lock(job.folder);
   claim_folder(job.folder, job.design, job.force);
+  remove_leftovers(job.folder, job.design);
   std::vector<Row> rows;
   std::int64_t computed = 0;
   if (fs::exists(runs_path(job.folder))) rows = read_runs(runs_path(job.folder), job.design);
   if (rows.empty() || !has_all_series(job.folder, job.design)) {
     Journal journal(journal_path(job.folder), job.design);
+    tell_of_damage(journal, journal_path(job.folder));
     for (const Row& row : rows) journal.add(row);
     const std::vector<std::int64_t> missing = missing_runs(job, journal);
     computed = static_cast<std::int64_t>(missing.size());
@@ -87,8 +100,9 @@ SweepResult run_sweep(const SweepJob& job) {
     rows.clear();
     for (const std::int64_t run : job.design.own_runs()) rows.push_back(journal.rows().at(run));
   }
+  if (job.executor) job.executor->release();
   const std::int64_t resumed = static_cast<std::int64_t>(rows.size()) - computed;
-  SweepResult result = write_results(job.folder, job.design, std::move(rows));
+  SweepResult result = write_results(job.folder, job.design, std::move(rows), job.plot_script);
   result.resumed = resumed;
   std::error_code ignored;  // a journal left behind is harmless: runs.csv has its rows
   fs::remove(journal_path(job.folder), ignored);

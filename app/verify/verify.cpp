@@ -5,8 +5,8 @@
 
 #include "app/io/csv.h"
 #include "app/io/failure.h"
+#include "app/io/file_kind.h"
 #include "app/io/params_of_file.h"
-#include "app/io/read_file.h"
 #include "app/verify/kinds.h"
 
 namespace pupflow::verify {
@@ -32,8 +32,9 @@ Verdict verify(const std::string& path, const Options& options) {
   std::error_code ignored;
   const bool folder = std::filesystem::is_directory(path, ignored);
   const std::string file = folder ? path + "/runs.csv" : path;
-  const std::string beginning = io::read_beginning(file, 8);
-  const bool picture = beginning == "\x89PNG\r\n\x1a\n", hdf5 = beginning == "\x89HDF\r\n\x1a\n";
+  const io::FileKind kind_of_file = io::file_kind(file);
+  const bool picture = kind_of_file == io::FileKind::picture;
+  const bool hdf5 = kind_of_file == io::FileKind::hdf5;
   if (options.row && (picture || hdf5)) io::refuse(path + ": --row takes a sweep's runs.csv");
   if (picture) return verify_picture(file, options);
   if (hdf5) {

@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include "app/io/unfinished.h"
 #include "failing.h"
 #include "tests/support/scratch.h"
 
@@ -88,6 +90,73 @@ TEST(AtomicFile, FollowsALink) {
   file.commit();
   EXPECT_TRUE(std::filesystem::is_symlink(scratch.path("link.txt")));
   EXPECT_EQ(contents(scratch.path("real.txt")), "new");
+}
+
+TEST(AtomicFile, RefusesALinkToNothing) {
+  const test::Scratch scratch;
+  std::filesystem::create_symlink("nothing", scratch.path("link.txt"));
+  for (const bool force : {false, true}) {
+    EXPECT_THAT(
+        failure_of(ExitCode::bad_file, [&] { AtomicFile f(scratch.path("link.txt"), force); }),
+        HasSubstr("link.txt: is a link to a file that is not there"));
+  }
+  EXPECT_EQ(scratch.entries(), 1);
+}
+
+TEST(AtomicFile, RefusesANameThatIsTooLongWhileItIsWritten) {
+  const test::Scratch scratch;
+  const auto of = [&](std::size_t size) { return scratch.path(std::string(size, 'n')); };
+  const std::string message =
+      failure_of(ExitCode::bad_file, [&] { refuse_existing(of(255), false); });
+  EXPECT_THAT(message, HasSubstr("name is too long; a file's may have 223 bytes"));
+  failure_of(ExitCode::bad_file, [&] { refuse_existing(of(224), false); });
+  AtomicFile longest(of(223), false);
+  longest.write("x");
+  longest.commit();
+  EXPECT_EQ(contents(of(223)), "x");
+}
+
+TEST(AtomicFile, SaysInItsNameThatItIsUnfinishedAndWhose) {
+  const test::Scratch scratch;
+  const std::string name = "a.txt." + std::to_string(::getpid());
+  AtomicFile one(scratch.path("a.txt"), false), two(scratch.path("a.txt"), false);
+  EXPECT_EQ(one.written_aside(), scratch.path(name + ".unfinished"));
+  EXPECT_EQ(two.written_aside(), scratch.path(name + "-1.unfinished"));
+}
+
+TEST(AtomicFile, MayBeLeftAside) {
+  const test::Scratch scratch;
+  std::string aside;
+  {
+    AtomicFile file(scratch.path("a.txt"), false);
+    aside = file.written_aside();
+    file.write_at_start("left");
+    file.keep();
+  }
+  EXPECT_EQ(contents(aside), "left");
+  EXPECT_EQ(scratch.entries(), 1);
+}
+
+TEST(Unfinished, AreNamedWhereNoProcessWritesThem) {
+  const test::Scratch scratch;
+  const std::string outputs[] = {scratch.path("a.txt"), "", "-"};
+  const auto said = [&] {
+    testing::internal::CaptureStderr();
+    name_unfinished(outputs);
+    return testing::internal::GetCapturedStderr();
+  };
+  const AtomicFile written(scratch.path("a.txt"), false);
+  scratch.file("a.txt.x.unfinished", "");  // no name of this program
+  scratch.file("unfinished", "");
+  EXPECT_EQ(said(), "");
+  scratch.file("b.h5.77.unfinished", "");
+  scratch.file("a.txt.9-1.unfinished", "");
+  EXPECT_EQ(said(),
+            "pupflow: note: earlier runs left unfinished: " + scratch.path("a.txt.9-1.unfinished") +
+                ", " + scratch.path("b.h5.77.unfinished") +
+                " ('pupflow info FILE' tells what is in one)\n");
+  for (const char* name : {"c.1.unfinished", "d.1.unfinished"}) scratch.file(name, "");
+  EXPECT_THAT(said(), HasSubstr("c.1.unfinished and 1 more ("));
 }
 
 TEST(AtomicFile, NamesThePathAndTheReason) {

@@ -1,6 +1,13 @@
 // pupflow run --checkpoint, --from and --record, as a user sees them.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "app/io/checkpoint.h"
+#include "app/io/recorded_run.h"
 #include "program.h"
 #include "tests/support/scratch.h"
 
@@ -73,6 +80,98 @@ TEST_F(CliCheckpoint, OutputsAreNotOverwritten) {
   EXPECT_EQ(run(small({"--steps", "20", "--checkpoint", "c.h5", "--quiet"})).code, 4);
   EXPECT_EQ(run(small({"--steps", "20", "--record", "r.h5", "--quiet"})).code, 4);
   EXPECT_EQ(test::contents(scratch_.path("c.h5")), "mine");
+}
+
+TEST_F(CliCheckpoint, IsWrittenAsTheRunGoes) {
+  ASSERT_EQ(run(small({"--steps", "20", "--checkpoint", "twenty.h5", "--quiet"})).code, 0);
+  // Numbers that go wrong in step 21: the checkpoint is the one before.
+  const test::Outcome wrong =
+      run(small({"--steps", "60", "--checkpoint", "c.h5", "--checkpoint-every", "10", "--at",
+                 "step=20,pup=1,force=[1e300,0,0]", "--quiet"}));
+  ASSERT_EQ(wrong.code, 3) << wrong.err;
+  EXPECT_EQ(io::read_checkpoint(scratch_.path("c.h5")).step, 20);
+  EXPECT_EQ(io::read_checkpoint(scratch_.path("c.h5")).positions,
+            io::read_checkpoint(scratch_.path("twenty.h5")).positions);
+}
+
+TEST_F(CliCheckpoint, IsTheLastStateWhereTheRunEnds) {
+  ASSERT_EQ(
+      run(small({"--steps", "25", "--checkpoint", "c.h5", "--checkpoint-every", "10", "--quiet"}))
+          .code,
+      0);
+  EXPECT_EQ(io::read_checkpoint(scratch_.path("c.h5")).step, 25);
+  const test::Outcome alone = run(small({"--steps", "5", "--checkpoint-every", "10"}));
+  EXPECT_EQ(alone.code, 2);
+  EXPECT_THAT(alone.err, HasSubstr("--checkpoint-every needs --checkpoint"));
+  for (const char* number : {"0", "-1", "x", ""}) {
+    EXPECT_EQ(run(small({"--checkpoint", "d.h5", "--checkpoint-every", number})).code, 2) << number;
+  }
+}
+
+TEST_F(CliCheckpoint, WhatCannotBeWrittenIsRefusedBeforeTheFirstStep) {
+  // So many steps that the test would time out.
+  const auto refused = [&](int code, std::vector<std::string> outputs) {
+    outputs.insert(outputs.end(), {"--steps", "1000000000", "--quiet"});
+    const test::Outcome outcome = run(small(outputs));
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    return outcome.err;
+  };
+  for (const char* device : {"/dev/null", "-", "/dev/stdout", "/dev/full"}) {
+    EXPECT_THAT(refused(4, {"--checkpoint", device}), HasSubstr("name a file"));
+    EXPECT_THAT(refused(4, {"--record", device}), HasSubstr("name a file"));
+  }
+  std::filesystem::create_symlink("nothing", scratch_.path("link"));
+  const char* const options[] = {"--csv", "--pups", "--record", "--checkpoint"};
+  for (const char* option : options) {
+    EXPECT_THAT(refused(4, {option, "link"}), HasSubstr("link to a file that is not there"));
+    EXPECT_THAT(refused(4, {option, "no/file"}), HasSubstr("no folder"));
+    EXPECT_THAT(refused(4, {option, std::string(250, 'n')}), HasSubstr("name is too long"));
+    EXPECT_THAT(refused(4, {option, "."}), HasSubstr("is a folder"));
+    for (const char* other : options) {
+      if (std::string(option) == other) continue;
+      EXPECT_THAT(refused(2, {option, "same", other, "./same"}), HasSubstr("name two files"));
+    }
+  }
+  scratch_.file("one", "");
+  std::filesystem::create_hard_link(scratch_.path("one"), scratch_.path("two"));
+  EXPECT_THAT(refused(2, {"--csv", "one", "--record", "two", "--force"}),
+              HasSubstr("--csv and --record both go to one"));
+  EXPECT_EQ(scratch_.entries(), 3);
+}
+
+TEST_F(CliCheckpoint, ARecordingThatFillsTheDiskStaysReadable) {
+  const std::string limited =
+      "ulimit -f 1500; exec " PUPFLOW_PROGRAM
+      " run --set pups=3 --set face_points=2 --steps 1000000 --record r.h5 --record-every 1 "
+      "--record-fields tb --quiet";
+  const test::Outcome full =
+      test::run_program("/bin/sh", {"-c", limited}, scratch_.folder().string());
+  EXPECT_EQ(full.code, 4);
+  EXPECT_EQ(std::count(full.err.begin(), full.err.end(), '\n'), 1) << full.err;
+  const std::size_t name = full.err.find("r.h5.");
+  ASSERT_NE(name, std::string::npos) << full.err;
+  const std::string left = full.err.substr(name, full.err.find('\n') - name);
+  const io::RecordedRun recorded(scratch_.path(left));
+  EXPECT_GT(recorded.frames(), 0u);
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path("r.h5")));
+}
+
+TEST_F(CliCheckpoint, ARecordingCanBeReadWhileItGrows) {
+  const test::Running running(PUPFLOW_PROGRAM,
+                              {"run", "--set", "pups=3", "--set", "face_points=3", "--steps",
+                               "1000000000", "--record", "r.h5", "--record-every", "1", "--quiet"},
+                              scratch_.folder().string());
+  std::size_t frames = 0;
+  for (int look = 0; look < 300 && frames < 100; ++look) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    const std::filesystem::directory_iterator first(scratch_.folder());
+    if (first == std::filesystem::directory_iterator()) continue;
+    const std::string name = first->path().string();
+    if (test::run_program(PUPFLOW_PROGRAM, {"info", name}, "/").code != 0) continue;  // not begun
+    frames = io::RecordedRun(name).frames();
+  }
+  EXPECT_GE(frames, 100u);
 }
 
 TEST_F(CliCheckpoint, ARecordingSaysHowItWasMade) {

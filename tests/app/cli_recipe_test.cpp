@@ -1,10 +1,10 @@
 // A run is its recipe: changes on the way, outputs that repeat it, and 'pupflow verify'.
 #include <gmock/gmock.h>
-#include <hdf5.h>
 
 #include <algorithm>
 #include <sstream>
 
+#include "hdf5_edit.h"
 #include "program.h"
 #include "tests/support/scratch.h"
 
@@ -119,23 +119,19 @@ TEST_F(CliRecipe, VerifyNamesTheFirstDifference) {
 }
 
 /// Sets one number of a two-dimensional data set.
-void set_number(const std::string& path, const char* name, hsize_t row, hsize_t column,
-                double value) {
-  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
+void set_number(hid_t file, const char* name, hsize_t row, hsize_t column, double value) {
+  const io::Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+  const io::Handle space(H5Dget_space(set), H5Sclose);
   const hsize_t place[2] = {row, column}, one[2] = {1, 1};
   H5Sselect_hyperslab(space, H5S_SELECT_SET, place, nullptr, one, nullptr);
-  const hid_t single = H5Screate_simple(2, one, nullptr);
+  const io::Handle single(H5Screate_simple(2, one, nullptr), H5Sclose);
   EXPECT_GE(H5Dwrite(set, H5T_NATIVE_DOUBLE, single, space, H5P_DEFAULT, &value), 0);
-  H5Sclose(single);
-  H5Sclose(space);
-  H5Dclose(set);
-  EXPECT_GE(H5Fclose(file), 0);
 }
 
 TEST_F(CliRecipe, VerifyNamesTheFirstDifferenceOfARecording) {
   run({"--steps", "60", "--record", "r.h5", "--record-every", "4"});
-  set_number(scratch_.path("r.h5"), "pup/exposed", 9, 2, 0.125);
+  test::edit_hdf5(scratch_.path("r.h5"), "recording",
+                  [](hid_t file) { set_number(file, "pup/exposed", 9, 2, 0.125); });
   const test::Outcome verdict = pupflow({"verify", "r.h5"});
   EXPECT_EQ(verdict.code, 1);
   EXPECT_THAT(verdict.out,

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "app/io/checkpoint.h"
-#include "app/io/hdf5_file.h"
+#include "app/io/hdf5_reader.h"
 #include "app/io/params_of_file.h"
 #include "app/io/scene_file.h"
 #include "app/io/settings.h"
@@ -76,8 +76,8 @@ TEST(OldFiles, ACheckpointGoesOnAsItDidThen) {
 
 TEST(OldFiles, ARecordingHoldsItsFrames) {
   const Hdf5Reader file(old("recording.h5"));
-  EXPECT_THAT(file.numbers("step"), ElementsAre(60, 120));
-  EXPECT_EQ(file.numbers("body_temperature").size(), 2U * 3);
+  EXPECT_THAT(file.numbers("step", {2}), ElementsAre(60, 120));
+  EXPECT_EQ(file.numbers("body_temperature", {2, 3}).size(), 2U * 3);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ namespace pupflow::io {
 namespace {
 
 using test::failure_of;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -73,6 +74,22 @@ TEST(Scene, ShippedOnesAreSoundAndDescribed) {
     EXPECT_FALSE(scene.title.empty()) << shipped.name;
     EXPECT_FALSE(scene.description.empty()) << shipped.name;
   }
+}
+
+TEST(Scene, OnlyKeysOfManyPartsAreTooDeep) {
+  std::string dots = "title = \"";
+  for (int i = 0; i < 100; ++i) dots += ".a";
+  const std::string text = dots + "\" # " + dots + "\ndescription = \"\"\"a \\\" " + dots +
+                           "\n ... \"\"\"\"\nta = 0.25 # it's " + dots + "\ntp = 0.5\n";
+  std::vector<std::string> problems;
+  const Scene scene = parse_scene(text, "a.toml", problems);
+  EXPECT_THAT(problems, IsEmpty());
+  EXPECT_EQ(scene.params.preferred_temperature, 0.5);
+  std::string key = "b";
+  for (int i = 0; i < 32; ++i) key += i % 2 == 0 ? ".\"]=\"" : " . 'it'";
+  parse_scene("ta = 1\n " + key + " = 2\n", "a.toml", problems);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_THAT(problems[0], AllOf(StartsWith("a.toml:2:"), HasSubstr("more than 32 parts")));
 }
 
 TEST(Scene, UnknownNameListsTheShippedOnes) {

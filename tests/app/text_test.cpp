@@ -25,6 +25,18 @@ TEST(Text, NumbersReadBackAndAreShort) {
   EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN()), "nan");
 }
 
+TEST(Text, PrintableShowsWhatATerminalMayShow) {
+  EXPECT_EQ(printable("T_a = 0.2 \xc2\xb1 0.1 \xe2\x82\x82 \xf0\x9f\x90\xad"),
+            "T_a = 0.2 \xc2\xb1 0.1 \xe2\x82\x82 \xf0\x9f\x90\xad");
+  EXPECT_EQ(printable("a\x1b[31m\tb\n\x7f"), "a\\x1b[31m\\x09b\\x0a\\x7f");
+  EXPECT_EQ(printable("a\tb\n\r", "\n\t"), "a\tb\n\\x0d");
+  EXPECT_EQ(printable("\xc2\x9b\x9b"), "\\xc2\\x9b\\x9b");  // U+009B begins a sequence
+  EXPECT_EQ(printable("\xc0\x9b\xe0\x82\x9b"), "\\xc0\\x9b\\xe0\\x82\\x9b");  // overlong forms
+  EXPECT_EQ(printable("\xe2\x82"), "\\xe2\\x82");                             // cut off
+  EXPECT_EQ(printable(std::string("\0", 1)), "\\x00");
+  EXPECT_EQ(quoted("a\x1b"), "'a\\x1b'");
+}
+
 TEST(Nearest, FindsSlipsAndNothingFarOff) {
   const std::array<std::string_view, 3> names{"alpha", "beta", "arena_radius"};
   EXPECT_EQ(nearest("alpa", names), "alpha");

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <thread>
+
 namespace pupflow::mpi::test {
 namespace {
 
@@ -63,6 +66,14 @@ TEST_F(Ranks, ShareAShard) {
   expect_same("whole", "merged");
 }
 
+TEST_F(Ranks, ShareNoFolderWithAnotherProcess) {
+  Running other(PUPFLOW_PROGRAM, sweep(4000, "s"), folder());
+  while (!exists("s/journal.csv")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const Outcome outcome = run(mpirun(2, sweep(4000, "s")));
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("pupflow: s: another process"));
+}
+
 TEST_F(Ranks, AFinishedSweepIsLeftAsItIs) {
   ASSERT_EQ(alone(sweep(2, "s")).code, 0);
   const auto before = files_of("s");
@@ -89,6 +100,26 @@ TEST_F(Ranks, OnlyRankZeroPrintsErrors) {
     const std::size_t at = outcome.err.find("did you mean");
     EXPECT_NE(at, std::string::npos);
     EXPECT_EQ(at, outcome.err.rfind("did you mean"));
+  }
+  EXPECT_FALSE(exists("s"));
+}
+
+TEST_F(Ranks, OneThatCannotTakePartIsNamedOnce) {
+  const std::vector<std::pair<Words, const char*>> cases{
+      {sweep(1, "s") + Words{"--sedes", "2"}, "unknown option '--sedes'"},
+      {sweep(1, "s") + Words{"--threads", "0"}, "--threads"},
+      {sweep(1, "s") + Words{"--out"}, "--out needs a value"},
+      {sweep(1, "s") + Words{"stray", "words"}, "words"}};
+  for (const auto& [words, message] : cases) {
+    for (const bool first : {false, true}) {
+      const Words good = sweep(1, "s"), &one = first ? words : good, &other = first ? good : words;
+      const Outcome outcome = run(mpirun(1, one) + Words{":", "-n", "2", PUPFLOW_PROGRAM} + other);
+      EXPECT_EQ(outcome.code, 2) << outcome.err;
+      const std::size_t at = outcome.err.find("pupflow: ");
+      ASSERT_NE(at, std::string::npos) << outcome.err;
+      EXPECT_EQ(outcome.err.find("\npupflow: ", at), std::string::npos) << outcome.err;
+      EXPECT_THAT(outcome.err.substr(at, outcome.err.find('\n', at)), HasSubstr(message));
+    }
   }
   EXPECT_FALSE(exists("s"));
 }

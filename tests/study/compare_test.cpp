@@ -100,7 +100,9 @@ TEST_F(Compared, FilesThatDoNotFitTogetherAreRefused) {
   EXPECT_THAT(refused("beta," + kNames + "0,0" + row, good), HasSubstr("same parameters"));
   EXPECT_THAT(refused(good, "ta,seed,status\n0,1,fine\n"), HasSubstr("no column runs"));
   EXPECT_THAT(refused(good, ""), HasSubstr("no column runs"));
-  EXPECT_THAT(refused(good, kNames + "0,2,1\n"), HasSubstr("another number of cells"));
+  EXPECT_THAT(refused(good, kNames + "0,2,1\n"),
+              HasSubstr(".csv:2: has 3 cells, and the header 12"));
+  EXPECT_THAT(refused(kNames, kNames), HasSubstr("has no rows to compare"));
   EXPECT_THAT(refused(good, kNames + "0,2,x,1,1,1,1,1,1,1,1,1\n"), HasSubstr("'x'"));
   EXPECT_THAT(refused(good, "ta,runs,mean_tb\n0,2,1\n"), HasSubstr("no observable"));
   EXPECT_THAT(

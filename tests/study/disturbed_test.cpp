@@ -6,7 +6,7 @@
 #include <csignal>
 #include <thread>
 
-#include "app/study/design.h"
+#include "app/study/journal.h"
 #include "tests/study/sweep_program.h"
 
 namespace pupflow::study::test {
@@ -15,6 +15,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 std::ptrdiff_t lines_in(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');
@@ -53,7 +54,7 @@ class Disturbed : public SweepProgram {
 
 TEST_F(Disturbed, AKilledSweepGoesOnToTheSameBytes) {
   EXPECT_EQ(disturbed_by(SIGKILL).code, 128 + SIGKILL);
-  EXPECT_THAT(names_of(path("s")), ElementsAre("journal.csv", "manifest.toml"));
+  EXPECT_THAT(names_of(path("s")), ElementsAre("journal.csv", "manifest.toml", "sweep.lock"));
   const std::ptrdiff_t kept = lines_of(path("s/journal.csv"));
   EXPECT_GE(kept, 3);
   EXPECT_LT(kept, 400);
@@ -72,21 +73,44 @@ TEST_F(Disturbed, ACutOffOrDamagedLastLineIsComputedAgain) {
 TEST_F(Disturbed, FinishedRunsAreNotComputedAgain) {
   disturbed_by(SIGKILL);
   // A number that no run comes to, in a row that is otherwise as it was.
-  std::string journal = contents(path("s/journal.csv"));
-  const std::size_t begin = journal.find(",fine,") + 6;
-  journal.replace(begin, journal.find(',', begin) - begin, "0.125");
-  scratch_.file("s/journal.csv", journal);
+  {
+    const Design design = parse_manifest(contents(path("s/manifest.toml")), "manifest.toml");
+    Journal journal(path("s/journal.csv"), design);
+    Row row = journal.rows().begin()->second;
+    row.means.mean_tb = 0.125;
+    journal.add(row);
+  }
   expect(0, sweep("s"));
   EXPECT_THAT(contents(path("s/runs.csv")), HasSubstr(",fine,0.125,"));
 }
 
-TEST_F(Disturbed, CtrlCKeepsFinishedRunsAndEndsWith130) {
-  const Outcome outcome = disturbed_by(SIGINT);
-  EXPECT_EQ(outcome.code, 130);
-  const std::string kept = std::to_string(lines_of(path("s/journal.csv")));
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("interrupted with " + kept + " of 400 runs finished"),
-                                 HasSubstr("the same command computes the others")));
-  expect_to_end_as_if_undisturbed(kept + " runs were there already");
+TEST_F(Disturbed, CtrlCAndItsLikesKeepFinishedRunsAndEndWith130) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    std::filesystem::remove_all(path("s"));
+    const Outcome outcome = disturbed_by(signal);
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_THAT(names_of(path("s")), ElementsAre("journal.csv", "manifest.toml"));
+    const std::string kept = std::to_string(lines_of(path("s/journal.csv")));
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("interrupted with " + kept + " of 400 runs finished"),
+                                   HasSubstr("the same command computes the others")));
+    expect_to_end_as_if_undisturbed(kept + " runs were there already");
+  }
+}
+
+TEST_F(Disturbed, DamagedRowsAreComputedAgainAndCounted) {
+  disturbed_by(SIGKILL);
+  std::string journal = contents(path("s/journal.csv"));
+  const std::string kept = std::to_string(lines_in(journal) - 1);
+  char& digit = journal[journal.find(',') - 1];
+  digit = digit == '1' ? '2' : '1';
+  scratch_.file("s/journal.csv", journal);
+  const Outcome resumed = pupflow(sweep("s"));
+  EXPECT_EQ(resumed.code, 0);
+  EXPECT_THAT(resumed.err,
+              StartsWith("pupflow: note: 1 damaged row of s/journal.csv is computed again\n"));
+  EXPECT_THAT(resumed.out, HasSubstr(kept + " runs were there already"));
+  expect(0, sweep("whole"));
+  EXPECT_EQ(files_of(path("s")), files_of(path("whole")));
 }
 
 TEST_F(Disturbed, AFullDiskKeepsFinishedRuns) {
@@ -103,14 +127,12 @@ TEST_F(Disturbed, ADiskThatFillsUpAtTheEndLosesNoRun) {
   // All runs are in the journal; runs.csv, which is made from it, does not fit.
   expect(0, sweep("s"));
   const Design design = parse_manifest(contents(path("s/manifest.toml")), "manifest.toml");
-  std::string journal;
-  for (const Words& row : rows_of(path("s/runs.csv"))) {
-    journal += std::to_string(design.number_of(lines_in(journal)));
-    for (const std::string& cell : row) journal += "," + cell;
-    journal += "\n";
+  {
+    Journal journal(path("s/journal.csv"), design);
+    for (const Row& row : read_runs(path("s/runs.csv"), design)) journal.add(row);
   }
+  const std::string journal = contents(path("s/journal.csv"));
   for (const char* name : {"s/runs.csv", "s/summary.csv"}) std::filesystem::remove(path(name));
-  scratch_.file("s/journal.csv", journal);
   const Outcome full = pupflow_behind("ulimit -f 8; exec env --default-signal=XFSZ", sweep("s"));
   EXPECT_EQ(full.code, 4) << full.err;
   EXPECT_THAT(full.err, HasSubstr("s/runs.csv: cannot write"));
@@ -125,7 +147,7 @@ TEST_F(Disturbed, FoldersThatCannotBeWrittenToAreRefusedBeforeAnythingRuns) {
     EXPECT_THAT(expect(4, sweep(folder)), HasSubstr(folder + ": cannot make this folder"));
   }
   EXPECT_EQ(contents(path("taken")), "a file");
-  EXPECT_THAT(expect(4, sweep("/proc")), HasSubstr("/proc/manifest.toml"));
+  EXPECT_THAT(expect(4, sweep("/proc")), HasSubstr("/proc/sweep.lock"));
 }
 
 }  // namespace

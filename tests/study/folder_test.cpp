@@ -5,6 +5,7 @@
 
 #include "app/study/files.h"
 #include "app/study/journal.h"
+#include "app/study/lock.h"
 #include "app/study/plot_script.h"
 #include "app/study/series.h"
 #include "app/study/table.h"
@@ -52,6 +53,15 @@ TEST_F(AFolder, RefusesAnotherSweepAndNamesTheDifference) {
   EXPECT_THAT(refused(ExitCode::bad_input, other_),
               AllOf(HasSubstr("'seeds = 3' there, 'seeds = 2' now"), HasSubstr("--force")));
   EXPECT_EQ(contents(manifest_path(folder_)), manifest_text(design_));
+}
+
+TEST_F(AFolder, ShowsOfLongLinesWhatDiffers) {
+  const std::string line = "vary = [\"ta=" + std::string(5'000, '1');
+  const std::string text = manifest_difference(line + "2" + line, line + "3" + line);
+  EXPECT_THAT(text, AllOf(HasSubstr("112vary"), HasSubstr("113vary")));
+  EXPECT_LT(text.size(), 300u);
+  EXPECT_EQ(manifest_difference("a", "a\nb\n"), "'' there, 'b' now");
+  EXPECT_EQ(manifest_difference("a\n", "a\n"), "nothing");
 }
 
 TEST_F(AFolder, StartsAfreshWhenForced) {
@@ -168,6 +178,73 @@ TEST_F(AFolder, RefusesFilesThatNoManifestExplains) {
                 AllOf(HasSubstr(name), HasSubstr("--force")));
     EXPECT_EQ(contents(scratch.path(name)), "somebody's");
   }
+}
+
+TEST_F(AFolder, HoldsNoLinkThatASweepWritesThrough) {
+  Design recorded = design_;
+  recorded.record_every = 1;
+  const std::string victim = scratch_.file("victim", "mine");
+  std::filesystem::create_directory(scratch_.path("elsewhere"));
+  for (const std::string name : {"manifest.toml", "journal.csv", "runs.csv", "summary.csv",
+                                 "design.csv", "sweep.png", "sweep.svg", "sweep.gp", "series"}) {
+    const Scratch scratch;
+    const std::string folder = scratch.folder().string();
+    std::filesystem::create_symlink(name == "series" ? scratch_.path("elsewhere") : victim,
+                                    scratch.path(name));
+    for (const bool force : {false, true}) {
+      EXPECT_THAT(failure_of(ExitCode::bad_file, [&] { claim_folder(folder, recorded, force); }),
+                  AllOf(HasSubstr(name), HasSubstr("symbolic link")));
+    }
+  }
+  EXPECT_EQ(contents(victim), "mine");
+}
+
+TEST_F(AFolder, SeriesAreNotWrittenThroughLinks) {
+  Design recorded = design_;
+  recorded.record_every = 1;
+  claim_folder(folder_, recorded, false);
+  std::filesystem::create_directory(series_folder(folder_));
+  const std::string victim = scratch_.file("victim", "mine");
+  std::filesystem::create_symlink(victim, series_path(folder_, recorded, 0));
+  EXPECT_THAT(failure_of(ExitCode::bad_file, [&] { write_series(folder_, recorded, 0, {}); }),
+              HasSubstr("1-1.csv"));
+  EXPECT_EQ(contents(victim), "mine");
+}
+
+TEST_F(AFolder, LosesWhatKilledProcessesLeft) {
+  claim_folder(folder_, design_, false);
+  std::filesystem::create_directories(folder_ + "/.pupflow-2147483647-0.plot/.cache");
+  const std::string own = ".pupflow-" + std::to_string(::getpid()) + "-0.plot";
+  for (const std::string& name :
+       {std::string("runs.csv.4711.unfinished"), std::string("sweep.png.4711-1.unfinished"), own,
+        std::string(".pupflow-x-0.plot"), std::string("mine.csv.4711.unfinished")})
+    scratch_.file("deep/sweep/" + name, "");
+  Design recorded = design_;
+  recorded.record_every = 1;
+  std::filesystem::create_directory(series_folder(folder_));
+  scratch_.file("deep/sweep/series/1-1.csv.4711.unfinished", "");
+  remove_leftovers(folder_, recorded);
+  EXPECT_TRUE(std::filesystem::is_empty(series_folder(folder_)));
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    names.push_back(entry.path().filename());
+  EXPECT_THAT(names,
+              ::testing::UnorderedElementsAre("manifest.toml", "series", own, ".pupflow-x-0.plot",
+                                              "mine.csv.4711.unfinished"));
+}
+
+TEST_F(AFolder, IsHeldByOneProcessAtATime) {
+  {
+    const FolderLock first(folder_);
+    EXPECT_THAT(failure_of(ExitCode::bad_file, [&] { const FolderLock second(folder_); }),
+                HasSubstr(folder_ + ": another process"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(lock_path(folder_)));
+  scratch_.file("deep/sweep/sweep.lock", "");  // of a process that was killed
+  { const FolderLock again(folder_); }
+  std::filesystem::create_symlink(scratch_.path("nowhere"), lock_path(folder_));
+  EXPECT_THAT(failure_of(ExitCode::bad_file, [&] { const FolderLock third(folder_); }),
+              HasSubstr("sweep.lock: is a symbolic link"));
 }
 
 TEST_F(AFolder, ThatCannotBeMadeIsAnErrorOfFiles) {

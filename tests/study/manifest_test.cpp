@@ -124,7 +124,25 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         std::pair{"[sweep]", "[sweep"}, std::pair{"seeds = 7", "seeds = 0"},
         std::pair{"seeds = 7", "seeds = \"7\""}, std::pair{"seeds = 7\n", ""},
-        std::pair{"seed_block = 10", "seed_block = 0"}, std::pair{"runs = ", "lhs = 0\nruns = "},
+        std::pair{"seed_block = 10", "seed_block = 0"},
+        std::pair{"seed_block = 10", "seed_block = 9223372036854775807"},
+        std::pair{"seed_block = 10", "seed_block = 3"},
+        std::pair{"seeds = 7", "seeds = 9223372036854775807"},
+        std::pair{"seeds = 7", "seeds = 1e300"}, std::pair{"seeds = 7", "seeds = -7"},
+        std::pair{"runs = ", "lhs = 9223372036854775807\nruns = "},
+        std::pair{"shard = \"3/8\"", "shard = \"3/9223372036854775808\""},
+        std::pair{"shard = \"3/8\"", "shard = \"-3/8\""}, std::pair{"ta=0,", "ta=nan,"},
+        std::pair{"ta=0,", "ta=0:1:1000000000,"}, std::pair{"heading=body", "heading=1"},
+        std::pair{"heading=body", "heading=\\u0000"}, std::pair{"beta = 0.5", "beta = nan"},
+        std::pair{"beta = 0.5", "beta = [0.5]"}, std::pair{"beta = 0.5", "beta.x = 0.5"},
+        std::pair{"beta = 0.5", "beta = {x = 0.5}"},
+        std::pair{"beta = 0.5", "x = [[[[[[[[{a.b = 1}]]]]]]]]"},
+        std::pair{"beta = 0.5", "at = \"step=-1,ta=0\""},
+        std::pair{"beta = 0.5", "at = \"step=5,pup=99999999999,heat=1\""},
+        std::pair{"name = \"figure2\"", "name = \"\""},
+        std::pair{"name = \"figure2\"", "name = \"figure2\\u0000\""},
+        std::pair{"name = \"figure2\"", "name = [\"figure2\"]"},
+        std::pair{"runs = ", "lhs = 0\nruns = "},
         std::pair{"runs = ", "record_every = -1\nruns = "},
         std::pair{"shard = \"3/8\"", "shard = \"9/8\""}, std::pair{"beta = 0.5", "beta = 5"},
         std::pair{"beta = 0.5", "betta = 0.5"}, std::pair{"beta = 0.5", "beta = true"},
@@ -133,6 +151,37 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair{"pups = 3", "pups = 1e300"},
         std::pair{"name = \"figure2\"", "name = \"../figure2\""},
         std::pair{"name = \"figure2\"", "name = \"x'; else system('touch PWNED'); y = '\""}));
+
+TEST(Manifest, TakesNoNumberThatIsNone) {
+  const std::string text = manifest_text(odd_design());
+  for (const Parameter& parameter : parameters()) {
+    const std::size_t at = text.find("\n" + std::string(parameter.name) + " = ") + 1;
+    const std::size_t end = text.find('\n', at);
+    for (const char* value : {"1000000", "-1", "1e300", "-1e300", "0.5", "9223372036854775807",
+                              "nan", "inf", "true", "\"\"", "\"1000000\"", "[]", "1979-05-27"}) {
+      std::string changed = text;
+      changed.replace(at, end - at, std::string(parameter.name) + " = " + value);
+      try {
+        const Design design = parse_manifest(changed, "here");
+        // What is read can be written, and that reads back to the same.
+        const std::string again = manifest_text(design);
+        EXPECT_EQ(manifest_text(parse_manifest(again, "here")), again);
+      } catch (const io::Failure& failure) {
+        EXPECT_EQ(failure.code(), ExitCode::bad_input) << failure.what();
+      }
+    }
+  }
+}
+
+TEST(Manifest, MayNotGoDeep) {
+  std::string key = "a";
+  for (int i = 0; i < 40'000; ++i) key += ".a";
+  const std::string text = manifest_text(odd_design());
+  for (const std::string& line :
+       {key + " = 1", "[" + key + "]", "x = {" + key + " = 1}", "[[" + key + "]]",
+        "x = " + std::string(40'000, '['), "x = [" + std::string(40'000, '{')})
+    failure_of(ExitCode::bad_input, [&] { parse_manifest(text + line + "\n", "here"); });
+}
 
 TEST(Manifest, NamesTheFileInErrors) {
   EXPECT_THAT(failure_of(ExitCode::bad_input, [] { parse_manifest("x", "some/manifest.toml"); }),

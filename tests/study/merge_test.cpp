@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "tests/study/small_design.h"
 #include "tests/study/sweep_program.h"
 
 namespace pupflow::study::test {
@@ -43,8 +44,8 @@ TEST_F(Merge, RefusesWhatIsNotCompleteOrDoesNotBelongTogether) {
     folders.insert(folders.end(), {"--out", "merged"});
     return expect(2, folders);
   };
-  EXPECT_THAT(refused({"s1", "s3"}), HasSubstr("of 3 shards these are missing: 2"));
-  EXPECT_THAT(refused({"s1"}), HasSubstr("missing: 2, 3"));
+  EXPECT_THAT(refused({"s1", "s3"}), HasSubstr("1 of 3 shards is missing: 2; name all"));
+  EXPECT_THAT(refused({"s1"}), HasSubstr("2 of 3 shards are missing: 2, 3; name all"));
   EXPECT_THAT(refused({"s1", "s2", "s2"}), HasSubstr("s2: is shard 2, and so is s2"));
   EXPECT_THAT(refused({"s1", "s2", "other"}),
               AllOf(HasSubstr("other: belongs to another sweep"), HasSubstr("'beta = 0.1'")));
@@ -65,6 +66,30 @@ TEST_F(Merge, RefusesUnfinishedAndDamagedShards) {
   std::filesystem::remove(path("s2/runs.csv"));
   scratch_.file("s2/journal.csv", "");
   EXPECT_THAT(merge(), HasSubstr("s2: is not finished"));
+}
+
+TEST_F(Merge, NeedsNoMemoryForWhatIsMissing) {
+  // Two of a million shards of a hundred million runs, with rows that no run came to.
+  Design design = small_design({"ta=0:1:1000", "beta=0:0.9:10"}, 10'000);
+  design.shard = {1, 1'000'000};
+  const auto shard = [&](const std::string& folder) {
+    std::filesystem::create_directory(path(folder));
+    scratch_.file(folder + "/manifest.toml", manifest_text(design));
+    std::vector<Row> rows;
+    for (const std::int64_t run : design.own_runs()) rows.push_back(row_of(run, 1));
+    write_runs(path(folder + "/runs.csv"), design, rows);
+  };
+  shard("one");
+  design.shard.number = 3;
+  shard("other");
+  for (const std::string limit : {"ulimit -v 300000; exec", "exec"}) {
+    const Outcome outcome = pupflow_behind(limit, {"merge", "one", "other", "--out", "merged"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err,
+              "pupflow: 999998 of 1000000 shards are missing: 2, 4, 5, 6, 7, 8, 9, 10, 11, 12, "
+              "...; name all their folders\n");
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("merged")));
 }
 
 TEST_F(Merge, DoesNotOverwriteAnotherSweepUnlessForced) {

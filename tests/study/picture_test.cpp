@@ -115,7 +115,7 @@ TEST_F(Picture, ThatGnuplotFailsToDrawDoesNotAppear) {
   EXPECT_TRUE(std::filesystem::exists(path("s/summary.csv")));
 }
 
-TEST_F(Picture, IsDrawnByTheScriptThatTheUserEdited) {
+TEST_F(Picture, IsDrawnByTheScriptThatTheUserEditedAndNames) {
   const Words words = sweep({"--vary", "ta=0,1"});
   expect(0, words);
   const std::string script = contents(path("s/sweep.gp")), before = contents(path("s/sweep.svg"));
@@ -125,7 +125,7 @@ TEST_F(Picture, IsDrawnByTheScriptThatTheUserEdited) {
   std::string edited = script;
   edited.replace(at, label.size(), "edited by hand");
   scratch_.file("s/sweep.gp", edited);
-  expect(0, words);
+  expect(0, sweep({"--vary", "ta=0,1", "--plot-script", "s/sweep.gp"}));
   EXPECT_EQ(contents(path("s/sweep.gp")), edited);
   EXPECT_THAT(contents(path("s/sweep.svg")), AllOf(Not(before), HasSubstr("edited by hand")));
 }

@@ -206,7 +206,12 @@ void AtomicFile::write(std::string_view bytes) {
   if (bytes.size() < kBuffer) buffer_ += bytes;
   if (buffer_.size() >= kBuffer || bytes.size() >= kBuffer) drain();
   if (bytes.size() < kBuffer) return;
-  if (const int error = write_all(descriptor_, bytes)) fail(error);
+  put(bytes);
+}
+
+void AtomicFile::put(std::string_view bytes) {
+  const std::size_t piece = temporary_.empty() ? kPipePiece : bytes.size();
+  if (const int error = write_all(descriptor_, bytes, piece)) fail(error);
 }
 
 const std::string& AtomicFile::written_aside() const {
@@ -215,8 +220,7 @@ const std::string& AtomicFile::written_aside() const {
 }
 
 void AtomicFile::drain() {
-  const std::size_t piece = temporary_.empty() ? kPipePiece : buffer_.size();
-  if (const int error = write_all(descriptor_, buffer_, piece)) fail(error);
+  put(buffer_);
   buffer_.clear();
 }
 

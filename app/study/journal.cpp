@@ -80,9 +80,11 @@ std::string Journal::line_of(const Row& row) const {
 
 void Journal::add(const Row& row) {
   const std::string line = line_of(row) + "\n";
-  const ssize_t written =
-      ::write(descriptor_, line.data(), line.size());  // one call: whole, or cut off
-  if (written != static_cast<ssize_t>(line.size())) fail(path_, written < 0 ? errno : ENOSPC);
+  for (std::string_view rest = line; !rest.empty();) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno != EINTR) fail(path_, errno);
+    if (written > 0) rest.remove_prefix(static_cast<std::size_t>(written));
+  }
   rows_[row.run] = row;
 }
 

@@ -1,4 +1,4 @@
-// pupflow render: headless PNG frames of one scene.
+// pupflow render: headless PNG frames of one scene, or a film of it.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -11,6 +11,7 @@
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
 #include "app/io/frame_path.h"
+#include "app/io/movie.h"
 #include "app/io/params_of_file.h"
 
 namespace pupflow::cli {
@@ -21,6 +22,7 @@ using io::Failure;
 
 constexpr std::int64_t kMostFrames = 1'000'000;
 constexpr double kFurthestTarget = 1e6;
+constexpr int kUsualFps = 25;
 
 struct Options {
   Common common;
@@ -32,6 +34,8 @@ struct Options {
   std::string target;
   std::optional<int> follow;
   bool no_bar = false;
+  std::string movie;
+  std::optional<int> fps;
 };
 
 /// --at names frames by their steps, or changes as it does everywhere: takes the former away from
@@ -46,23 +50,32 @@ std::string take_frames(std::vector<std::string>& at) {
   return frames;
 }
 
-/// The steps after which a frame is wanted.
+/// The steps between two frames: those of --every, or for a film those after which a second of it is
+/// a second of the model. 0: one frame, after the last step.
+std::int64_t frame_distance(const Options& options, const Params& params) {
+  if (options.every != 0 || options.movie.empty()) return options.every;
+  const double steps = 1 / (options.fps.value_or(kUsualFps) * params.dt);
+  return static_cast<std::int64_t>(std::clamp(std::round(steps), 1.0, 1e15));
+}
+
+/// The steps after which a frame is wanted, of a run that begins after step `begin`.
 std::vector<std::int64_t> frame_steps(const Options& options, const std::string& at,
-                                      const Params& params) {
+                                      const Params& params, std::int64_t begin) {
   if (!at.empty()) {
     if (options.every != 0) io::refuse("--at STEPS and --every both say which frames; use one");
     return parse_steps("--at", at);
   }
-  if (options.every == 0) return {params.steps};
-  const std::int64_t count = params.steps / options.every;
-  if (count == 0 || count > kMostFrames) {
-    throw Failure(ExitCode::bad_input, "--every " + std::to_string(options.every) + ": gives " +
-                                           std::to_string(count) + " frames over " +
-                                           std::to_string(params.steps) + " steps; must be 1 to " +
-                                           std::to_string(kMostFrames));
+  const std::int64_t every = frame_distance(options, params);
+  if (every == 0) return {params.steps};
+  const std::int64_t count = params.steps / every - begin / every;
+  if (count <= 0 || count > kMostFrames) {
+    throw Failure(ExitCode::bad_input, "--every " + std::to_string(every) + ": gives " +
+                                           std::to_string(std::max<std::int64_t>(count, 0)) +
+                                           " frames over " + std::to_string(params.steps - begin) +
+                                           " steps; must be 1 to " + std::to_string(kMostFrames));
   }
   std::vector<std::int64_t> steps;
-  for (std::int64_t i = 1; i <= count; ++i) steps.push_back(i * options.every);
+  for (std::int64_t i = 1; i <= count; ++i) steps.push_back((begin / every + i) * every);
   return steps;
 }
 
@@ -93,7 +106,8 @@ void take_picture(const CLI::App& verb, Options& options, std::string& frames) {
   const std::string* bar = find_entry(picture, "bar");
   if (bar != nullptr && *bar == "false") options.no_bar = true;
   const std::string* step = find_entry(picture, "step");
-  if (step != nullptr && frames.empty() && options.every == 0 && verb.count("--steps") == 0) {
+  if (step != nullptr && frames.empty() && options.every == 0 && options.movie.empty() &&
+      verb.count("--steps") == 0) {
     frames = *step;
   }
 }
@@ -112,6 +126,21 @@ view::Camera camera_of(const Options& options) {
   return camera;
 }
 
+/// The file that is written, and for a film its frames a second.
+void take_output(const CLI::App& verb, const Options& options, pictures::RenderJob& job) {
+  job.output = {options.common.out, options.common.force, options.common.quiet};
+  if (options.movie.empty()) {
+    if (options.fps) io::refuse("--fps: is for films; use it with --movie FILE");
+    return check_pattern(job.output.path, job.at.size());
+  }
+  if (verb.count("--out") > 0) {
+    io::refuse("--out names pictures, --movie a film; use one");
+  }
+  job.output.path = options.movie;
+  job.fps = options.fps.value_or(kUsualFps);
+  io::check_movie(options.movie, job.fps, job.width, job.height);
+}
+
 void work(const CLI::App& verb, Options options) {
   pictures::RenderJob job;
   io::Settings settings = options.common.settings;
@@ -120,15 +149,14 @@ void work(const CLI::App& verb, Options options) {
   const Start start = start_of(settings, options.from);
   job.params = start.recipe;
   job.from = start.from;
-  job.at = frame_steps(options, frames, job.params);
+  job.at = frame_steps(options, frames, job.params, job.from ? job.from->step : 0);
   std::tie(job.width, job.height) = parse_size("--size", options.size);
   job.camera = camera_of(options);
   job.follow = options.follow;
   job.threads = thread_count(options.common);
   job.bar = !options.no_bar;
   job.look = look_of(options.look);
-  job.output = {options.common.out, options.common.force, options.common.quiet};
-  check_pattern(job.output.path, job.at.size());
+  take_output(verb, options, job);
   load_graphics().render(job);
 }
 
@@ -136,7 +164,7 @@ void work(const CLI::App& verb, Options options) {
 
 Verb add_render(CLI::App& program) {
   CLI::App* app =
-      program.add_subcommand("render", "Draw PNG frames of a scene; needs no display and no GPU");
+      program.add_subcommand("render", "Draw a scene as PNG frames or a film; needs no display and no GPU");
   const auto options = std::make_shared<Options>();
   options->common.out = "frames/%05d.png";
   CommonHelp help;
@@ -148,10 +176,21 @@ Verb add_render(CLI::App& program) {
   help.quiet = "No progress";
   add_common(*app, options->common, help);
   app->add_option("--every", options->every,
-                  "A frame after steps N, 2N, ... up to --steps. With neither: the last step")
+                  "A frame after steps N, 2N, ... up to --steps. With neither: the last step; in a "
+                  "film as many as make a second of it a second of the model")
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
   add_from(*app, options->from);
+  app->add_option("--movie", options->movie,
+                  "Write a film in place of pictures, " + io::movie_endings() +
+                      "; needs ffmpeg, and writes its frames to the folder FILE_frames without")
+      ->option_text("FILE")
+      ->check(not_empty);
+  app->add_option("--fps", options->fps,
+                  "Frames a second of the film, 1 to " + std::to_string(io::kMostFps) +
+                      ", of a GIF to 50 (default " + std::to_string(kUsualFps) + ")")
+      ->option_text("N")
+      ->check(CLI::Range(1, io::kMostFps));
   app->add_option("--size", options->size, "Pixels (default " + options->size + ")")
       ->option_text("WxH");
   app->add_option("--camera", options->camera,

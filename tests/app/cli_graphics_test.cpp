@@ -169,6 +169,36 @@ TEST_F(CliGraphics, ColorByRefusesWhatCannotBe) {
   refused({"render", "--color-by", ""});
 }
 
+TEST_F(CliGraphics, ASecondOfAFilmIsASecondOfTheModelUnlessAsked) {
+  give_module();
+  const auto film = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "--movie", "a.mp4", "--steps", "20"});
+    return pupflow(options).out;
+  };
+  EXPECT_THAT(film({}), AllOf(HasSubstr("at 4 8 12 16 20\n"), HasSubstr(" fps=25\n"),
+                              HasSubstr("out=a.mp4")));
+  EXPECT_THAT(film({"--fps", "10"}), AllOf(HasSubstr("at 10 20\n"), HasSubstr(" fps=10\n")));
+  EXPECT_THAT(film({"--set", "dt=0.04"}), HasSubstr("at 1 2 3 4"));
+  EXPECT_THAT(film({"--every", "7"}), HasSubstr("at 7 14\n"));
+  EXPECT_THAT(film({"--at", "3,5"}), HasSubstr("at 3 5\n"));
+}
+
+TEST_F(CliGraphics, RefusesFilmsThatCannotBe) {
+  give_module();
+  const auto film = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), "render");
+    return refused(options);
+  };
+  EXPECT_THAT(film({"--movie", "a.avi"}), HasSubstr(".mp4, .webm or .gif"));
+  EXPECT_THAT(film({"--movie", ""}), HasSubstr("--movie"));
+  EXPECT_THAT(film({"--movie", "a.gif", "--fps", "60"}), HasSubstr("1 to 50"));
+  EXPECT_THAT(film({"--movie", "a.mp4", "--fps", "0"}), HasSubstr("--fps"));
+  EXPECT_THAT(film({"--fps", "30"}), HasSubstr("--movie"));
+  EXPECT_THAT(film({"--movie", "a.mp4", "--out", "%d.png"}), HasSubstr("use one"));
+  EXPECT_THAT(film({"--movie", "a.mp4", "--size", "16384x16384"}), HasSubstr("too large"));
+  EXPECT_THAT(film({"--movie", "a.mp4", "--steps", "3"}), HasSubstr("0 frames"));
+}
+
 TEST_F(CliGraphics, RenderRefusesBadOptions) {
   refused({"render", "--camera", "sideways"});
   refused({"render", "--colormap", "rainbow"});

@@ -39,6 +39,7 @@ class FakeGraphics : public Graphics {
     const Eigen::Vector3d& target = job.camera.target();
     if (job.camera.targeted()) std::printf(" target=%g,%g,%g", target.x(), target.y(), target.z());
     if (job.follow) std::printf(" follow=%d", *job.follow);
+    if (job.fps != 0) std::printf(" fps=%d", job.fps);
     std::printf("\n");
     print_look(job.look, job.output);
   }

@@ -1,18 +1,21 @@
-// pupflow render: headless PNG frames of one scene, or a film of it.
+// pupflow render: headless PNG frames of one scene, a film of it, or a sheet of several.
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
 
 #include "app/cli/graphics_module.h"
+#include "app/cli/grid.h"
 #include "app/cli/look_options.h"
 #include "app/cli/parse.h"
 #include "app/cli/start.h"
 #include "app/cli/verb.h"
+#include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/io/frame_path.h"
 #include "app/io/movie.h"
 #include "app/io/params_of_file.h"
+#include "app/io/text.h"
 
 namespace pupflow::cli {
 namespace {
@@ -23,6 +26,7 @@ using io::Failure;
 constexpr std::int64_t kMostFrames = 1'000'000;
 constexpr double kFurthestTarget = 1e6;
 constexpr int kUsualFps = 25;
+constexpr const char* kUsualSheet = "grid.png";
 
 struct Options {
   Common common;
@@ -36,6 +40,8 @@ struct Options {
   bool no_bar = false;
   std::string movie;
   std::optional<int> fps;
+  std::vector<std::string> grid;
+  int panel = pictures::SheetJob{}.panel;
 };
 
 /// --at names frames by their steps, or changes as it does everywhere: takes the former away from
@@ -87,7 +93,7 @@ void check_pattern(const std::string& pattern, std::size_t frames) {
                     " frames need a place for the step, e.g. --out 'frames/%05d.png'");
 }
 
-/// Takes what was not typed from the picture of --like: its look, its camera and its step.
+/// Takes what was not typed from the picture of --like: its look, its camera, its panels, its step.
 void take_picture(const CLI::App& verb, Options& options, std::string& frames) {
   const std::string& like = options.common.settings.like;
   if (like.empty()) return;
@@ -105,9 +111,15 @@ void take_picture(const CLI::App& verb, Options& options, std::string& frames) {
   }
   const std::string* bar = find_entry(picture, "bar");
   if (bar != nullptr && *bar == "false") options.no_bar = true;
+  if (const std::string* grid = find_entry(picture, "grid"); grid && options.grid.empty()) {
+    for (const std::string_view axis : io::split(*grid, ' ')) options.grid.emplace_back(axis);
+  }
+  if (const std::string* panel = find_entry(picture, "panel"); panel && verb.count("--panel") == 0) {
+    options.panel = io::read_number<int>(*panel).value_or(options.panel);
+  }
   const std::string* step = find_entry(picture, "step");
   if (step != nullptr && frames.empty() && options.every == 0 && options.movie.empty() &&
-      verb.count("--steps") == 0) {
+      options.grid.empty() && verb.count("--steps") == 0) {
     frames = *step;
   }
 }
@@ -141,11 +153,48 @@ void take_output(const CLI::App& verb, const Options& options, pictures::RenderJ
   io::check_movie(options.movie, job.fps, job.width, job.height);
 }
 
+/// Draws the panels of --grid.
+void draw_sheet(const CLI::App& verb, const Options& options, const io::Settings& settings,
+                const std::string& frames) {
+  for (const char* option : {"--movie", "--fps", "--from", "--every", "--size", "--follow"}) {
+    if (verb.count(option) > 0) io::refuse(std::string(option) + ": does not go with --grid");
+  }
+  if (!frames.empty()) {
+    io::refuse("--at " + frames + ": panels show the last step; use --steps");
+  }
+  pictures::SheetJob job;
+  job.verb = "render --grid";
+  job.axes = parse_grid(options.grid);
+  for (const pictures::Axis& axis : job.axes) {
+    for (const std::string& set : settings.sets) {
+      if (set.starts_with(axis.parameter + "=")) {
+        io::refuse("--set " + set + ": each panel has its own " + axis.parameter);
+      }
+    }
+  }
+  job.params = start_of(settings, "").recipe;
+  job.panel = options.panel;
+  job.camera = camera_of(options);
+  job.bar = !options.no_bar;
+  job.threads = thread_count(options.common);
+  job.look = look_of(options.look);
+  job.output = {verb.count("--out") > 0 ? options.common.out : kUsualSheet, options.common.force,
+                options.common.quiet};
+  if (io::has_number(job.output.path)) {
+    io::refuse("--out " + job.output.path + ": a sheet is one picture; name it without %");
+  }
+  job.entries = {{"picture", "grid"}};
+  io::refuse_existing(job.output.path, job.output.force);
+  load_graphics().sheet(job);
+}
+
 void work(const CLI::App& verb, Options options) {
-  pictures::RenderJob job;
   io::Settings settings = options.common.settings;
   std::string frames = take_frames(settings.at);
   take_picture(verb, options, frames);
+  if (!options.grid.empty()) return draw_sheet(verb, options, settings, frames);
+  if (verb.count("--panel") > 0) io::refuse("--panel: is for sheets; use it with --grid");
+  pictures::RenderJob job;
   const Start start = start_of(settings, options.from);
   job.params = start.recipe;
   job.from = start.from;
@@ -191,6 +240,22 @@ Verb add_render(CLI::App& program) {
                       ", of a GIF to 50 (default " + std::to_string(kUsualFps) + ")")
       ->option_text("N")
       ->check(CLI::Range(1, io::kMostFps));
+  app->add_option("--grid", options->grid,
+                  "Panels of one picture: a parameter's values, name=a,b,c, name=from:to:count or "
+                  "name=from..to for whole numbers; give it twice for a table of two. One scale for "
+                  "all; --out is " +
+                      std::string(kUsualSheet) + " unless given")
+      ->option_text("RANGE")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->check(not_empty);
+  app->add_option("--panel", options->panel,
+                  "Edge of a panel of --grid in pixels, " +
+                      std::to_string(pictures::kSmallestPanel) + " to " +
+                      std::to_string(pictures::kLargestPanel) + " (default " +
+                      std::to_string(options->panel) + ")")
+      ->option_text("N")
+      ->check(CLI::Range(pictures::kSmallestPanel, pictures::kLargestPanel));
   app->add_option("--size", options->size, "Pixels (default " + options->size + ")")
       ->option_text("WxH");
   app->add_option("--camera", options->camera,

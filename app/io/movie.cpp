@@ -52,7 +52,7 @@ const Form& form_of(const std::string& path) {
   const auto fits = [&](const Form& form) { return path.ends_with(form.ending); };
   const auto* form = std::ranges::find_if(kForms, fits);
   if (form == std::end(kForms)) {
-    refuse("--movie " + quoted(path) + ": its name must end in " + movie_endings());
+    refuse("--movie " + io::quoted(path) + ": its name must end in " + movie_endings());
   }
   return *form;
 }

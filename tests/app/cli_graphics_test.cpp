@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::Outcome;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
@@ -197,6 +198,42 @@ TEST_F(CliGraphics, RefusesFilmsThatCannotBe) {
   EXPECT_THAT(film({"--movie", "a.mp4", "--out", "%d.png"}), HasSubstr("use one"));
   EXPECT_THAT(film({"--movie", "a.mp4", "--size", "16384x16384"}), HasSubstr("too large"));
   EXPECT_THAT(film({"--movie", "a.mp4", "--steps", "3"}), HasSubstr("0 frames"));
+}
+
+TEST_F(CliGraphics, AGridIsHandedOver) {
+  give_module();
+  EXPECT_THAT(pupflow({"render", "cold", "--grid", "ta=0.2:0.8:3", "--steps", "9", "--threads", "2"})
+                  .out,
+              AllOf(StartsWith("sheet seed=1 steps=9 panel=560 threads=2 camera=orbit:30,35 bar=1 "
+                               "ta 0.2 0.5 0.8\n"),
+                    HasSubstr("out=grid.png")));
+  EXPECT_THAT(pupflow({"render", "--grid", "seed=3..5", "--grid", "contact=nearest,sum", "--panel",
+                       "200", "--no-bar", "--camera", "top", "--out", "a.png"})
+                  .out,
+              AllOf(HasSubstr("panel=200"), HasSubstr("camera=top bar=0 seed 3 4 5 contact 0 1\n"),
+                    HasSubstr("out=a.png")));
+}
+
+TEST_F(CliGraphics, RefusesGridsThatCannotBe) {
+  give_module();
+  const auto grid = [&](const std::string& text, std::vector<std::string> options = {}) {
+    options.insert(options.begin(), {"render", "--grid", text});
+    return refused(options);
+  };
+  EXPECT_THAT(grid("warmth=1,2"), HasSubstr("warmth"));
+  EXPECT_THAT(grid("ta"), StartsWith("pupflow: --grid 'ta'"));
+  EXPECT_THAT(grid("ta=a,b"), HasSubstr("--grid"));
+  EXPECT_THAT(grid("seed=6..1"), HasSubstr("the smaller first"));
+  EXPECT_THAT(grid("seed=1..1000000000000"), HasSubstr("at most 100 panels"));
+  EXPECT_THAT(grid("ta=0:1:11", {"--grid", "beta=0:1:10"}), HasSubstr("at most 100 panels"));
+  EXPECT_THAT(grid("ta=0,1", {"--grid", "ta=0.5,0.6"}), HasSubstr("twice"));
+  EXPECT_THAT(grid("ta=0,1", {"--grid", "beta=0,1", "--grid", "seed=1,2"}), HasSubstr("not 3"));
+  EXPECT_THAT(grid("ta=0,1", {"--set", "ta=0.5"}), HasSubstr("its own ta"));
+  EXPECT_THAT(grid("ta=0,1", {"--movie", "a.mp4"}), HasSubstr("--movie"));
+  EXPECT_THAT(grid("ta=0,1", {"--size", "64x64"}), HasSubstr("--size"));
+  EXPECT_THAT(grid("ta=0,1", {"--at", "5"}), HasSubstr("--steps"));
+  EXPECT_THAT(grid("ta=0,1", {"--out", "%d.png"}), HasSubstr("without %"));
+  EXPECT_THAT(refused({"render", "--panel", "200"}), HasSubstr("--grid"));
 }
 
 TEST_F(CliGraphics, RenderRefusesBadOptions) {

@@ -74,6 +74,7 @@ Verb add_figure1(CLI::App& program) {
       ->option_text("N")
       ->check(CLI::Range(pictures::kSmallestPanel, pictures::kLargestPanel));
   add_look(*app, options->look, false);
+  add_picture_look(*app, options->look);
   return {app, [options] { work(*options); }};
 }
 

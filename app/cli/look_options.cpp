@@ -96,6 +96,18 @@ void add_look(CLI::App& verb, LookOptions& options, bool automatic) {
                   "(default " +
                       options.quality + ")")
       ->option_text(choices(view::kQualityNames));
+  verb.add_option("--supersample", options.supersample,
+                  "N x N samples for each pixel, 1 to " + std::to_string(pictures::kMostSamples) +
+                      " (default: those of the quality)")
+      ->option_text("N")
+      ->check(CLI::Range(1, pictures::kMostSamples));
+  verb.add_option("--shader-dir", options.shader_dir,
+                  "Read the shaders from this folder instead of the built-in ones")
+      ->option_text("FOLDER");
+  verb.add_flag("--verbose", options.verbose, "Tell which OpenGL context and renderer is used");
+}
+
+void add_picture_look(CLI::App& verb, LookOptions& options) {
   std::string overlays;
   for (const view::Overlay& overlay : view::overlays()) {
     overlays += (overlays.empty() ? "" : "; ") + std::string(overlay.name) + ": " +
@@ -115,15 +127,6 @@ void add_look(CLI::App& verb, LookOptions& options, bool automatic) {
   verb.add_option("--dpi", options.dpi, "Dots per inch that the file names")
       ->option_text("N")
       ->check(CLI::Range(1, pictures::kMostDpi));
-  verb.add_option("--supersample", options.supersample,
-                  "N x N samples for each pixel, 1 to " + std::to_string(pictures::kMostSamples) +
-                      " (default: those of the quality)")
-      ->option_text("N")
-      ->check(CLI::Range(1, pictures::kMostSamples));
-  verb.add_option("--shader-dir", options.shader_dir,
-                  "Read the shaders from this folder instead of the built-in ones")
-      ->option_text("FOLDER");
-  verb.add_flag("--verbose", options.verbose, "Tell which OpenGL context and renderer is used");
 }
 
 const std::string* find_entry(const io::TextEntries& entries, std::string_view key) {

@@ -25,9 +25,12 @@ struct LookOptions {
   bool automatic = false;  // see add_look
 };
 
-/// Declares them. `automatic`: the colors span what is seen unless --scale is given, not the
+/// Declares those that the window has, too. `automatic`: the colors span what is seen unless --scale is given, not the
 /// field's range.
 void add_look(CLI::App& verb, LookOptions& options, bool automatic);
+
+/// Declares those that only pictures have.
+void add_picture_look(CLI::App& verb, LookOptions& options);
 
 /// Takes what was not typed from the entries of a picture.
 void take_look(const CLI::App& verb, const io::TextEntries& picture, LookOptions& options);

@@ -273,6 +273,7 @@ Verb add_render(CLI::App& program) {
       ->option_text("PUP");
   app->add_flag("--no-bar", options->no_bar, "Leave out the legend of the colors");
   add_look(*app, options->look, true);
+  add_picture_look(*app, options->look);
   return {app, [options, app] { work(*app, *options); }};
 }
 

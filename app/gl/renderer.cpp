@@ -13,7 +13,6 @@ constexpr float kEdgeShade = 0.88f;
 constexpr GLint kWallSegments = 256, kPlaneSegments = 32;
 constexpr float kGridShade = 0.93f;                        // brightness of the lines
 constexpr std::size_t kKeptBytes = std::size_t{32} << 20;  // of a picture whose store stays
-constexpr int kLargestPart = 2048;                         // edge of what is drawn at once, samples
 constexpr int kMostLines = 80;                             // of a grid across the floor
 constexpr float kUsualRows = 960;                          // higher pictures have wider lines
 constexpr float kRimWidth = 1.4f;                          // pixels

@@ -18,6 +18,9 @@ struct Viewport {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
+/// Edge of what is drawn at once where a pixel has many samples; samples.
+constexpr int kLargestPart = 2048;
+
 /// Of the grid on the floor, arena units.
 constexpr float kGridSpacing = 0.5f;
 

@@ -49,12 +49,13 @@ int named_descriptor(const std::string& path) {
 /// What a pipe that is ready takes without waiting.
 constexpr std::size_t kPipePiece = PIPE_BUF;
 
-/// Writes everything, at most `piece` bytes a call; returns 0 or the error number: ECANCELED where
+/// Writes everything, to a pipe or device in pieces; returns 0 or the error number: ECANCELED where
 /// nobody takes the bytes, and Ctrl-C came.
-int write_all(int descriptor, std::string_view bytes, std::size_t piece) {
+int write_all(int descriptor, std::string_view bytes, bool to_stream) {
   while (!bytes.empty()) {
     if (!wait_until_ready(descriptor, POLLOUT)) return ECANCELED;
-    const ssize_t written = ::write(descriptor, bytes.data(), std::min(bytes.size(), piece));
+    const ssize_t written = ::write(descriptor, bytes.data(),
+                                    to_stream ? std::min(bytes.size(), kPipePiece) : bytes.size());
     if (written >= 0) {
       bytes.remove_prefix(static_cast<std::size_t>(written));
     } else if (errno != EINTR && errno != EAGAIN) {
@@ -136,7 +137,7 @@ void refuse_stream(const std::string& path) {
 
 void print(std::string_view text) {
   const std::string shown = printable(text, "\n\t");
-  if (const int error = write_all(STDOUT_FILENO, shown, kPipePiece)) throw unwritable("-", error);
+  if (const int error = write_all(STDOUT_FILENO, shown, true)) throw unwritable("-", error);
 }
 
 AtomicFile::AtomicFile(const std::string& path, bool force) : path_(path), force_(force) {
@@ -206,12 +207,7 @@ void AtomicFile::write(std::string_view bytes) {
   if (bytes.size() < kBuffer) buffer_ += bytes;
   if (buffer_.size() >= kBuffer || bytes.size() >= kBuffer) drain();
   if (bytes.size() < kBuffer) return;
-  put(bytes);
-}
-
-void AtomicFile::put(std::string_view bytes) {
-  const std::size_t piece = temporary_.empty() ? kPipePiece : bytes.size();
-  if (const int error = write_all(descriptor_, bytes, piece)) fail(error);
+  if (const int error = write_all(descriptor_, bytes, temporary_.empty())) fail(error);
 }
 
 const std::string& AtomicFile::written_aside() const {
@@ -220,7 +216,7 @@ const std::string& AtomicFile::written_aside() const {
 }
 
 void AtomicFile::drain() {
-  put(buffer_);
+  if (const int error = write_all(descriptor_, buffer_, temporary_.empty())) fail(error);
   buffer_.clear();
 }
 

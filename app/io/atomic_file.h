@@ -60,7 +60,6 @@ class AtomicFile {
 
  private:
   void open_temporary();
-  void put(std::string_view bytes);
   void drain();
   void put_in_place();
   [[noreturn]] void fail(int error) const;

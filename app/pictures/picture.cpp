@@ -97,7 +97,7 @@ view::ColorScale Picture::scale_for(const LitterView& litter) {
 }
 
 void Picture::refuse_large() const {
-  pictures::refuse_large(width_, height_, scene_width_, height_);
+  pictures::refuse_large(width_, height_, scene_width_, height_, look_.samples());
 }
 
 io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
@@ -161,12 +161,17 @@ void check_samples(int supersample) {
              std::to_string(supersample));
 }
 
-void refuse_large(int width, int height, int drawn_width, int drawn_height) {
-  constexpr double kOfPixel = 32;  // bytes: it passes through copies on its way to the file
+void refuse_large(int width, int height, int drawn_width, int drawn_height, int supersample) {
+  // A drawn pixel has color and depth, as has each sample of the part that is drawn at once; a pixel
+  // passes through copies on its way to the file.
+  constexpr double kOfDrawn = 8, kOfPixel = 32;
   gl::Target::refuse_large(drawn_width, drawn_height);
-  io::refuse_large("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                       " pixels",
-                   kOfPixel * static_cast<double>(width) * height, "fewer pixels need less");
+  const double samples = supersample > 1 ? gl::kLargestPart * double{gl::kLargestPart} : 0;
+  io::refuse_large(
+      "a picture of " + std::to_string(width) + "x" + std::to_string(height) + " pixels",
+      kOfDrawn * (samples + static_cast<double>(drawn_width) * drawn_height) +
+          kOfPixel * static_cast<double>(width) * height,
+      "fewer need less");
 }
 
 io::TextEntries look_entries(const Look& look, const view::ColorScale& scale) {

@@ -44,12 +44,12 @@ class Picture {
   /// Width over height of the scene's part, which is as tall as the picture.
   double scene_aspect() const { return static_cast<double>(scene_width_) / height_; }
 
-  /// Tells of the litter between pictures, for trails. Does nothing without them.
-  void watch(const LitterView& litter);
-
   /// Call it with the renderer's context current before long work. Throws like `draw`, and where
   /// memory does not suffice.
   void refuse_large() const;
+
+  /// Tells of the litter between pictures, for trails. Does nothing without them.
+  void watch(const LitterView& litter);
 
   /// The litter as `camera` sees it. In a sequence, automatic scales follow the data within half a
   /// second of the model. The renderer's context must be current. Throws Failure(bad_input) when
@@ -84,7 +84,7 @@ void check_samples(int supersample);
 /// Throws Failure(bad_input) when a picture of that size, of which a part of `drawn_width` x
 /// `drawn_height` pixels is drawn at a time, is more than OpenGL or the memory allows. An OpenGL
 /// context must be current.
-void refuse_large(int width, int height, int drawn_width, int drawn_height);
+void refuse_large(int width, int height, int drawn_width, int drawn_height, int supersample);
 
 /// How files name what a picture with this look and this fitted scale shows.
 io::TextEntries look_entries(const Look& look, const view::ColorScale& scale);

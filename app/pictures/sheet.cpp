@@ -270,7 +270,7 @@ void check_size(const SheetJob& job, const Layout& layout) {
                std::to_string(layout.height()) + " pixels is too large; a side may have " +
                std::to_string(kLargestSide) + ": take a smaller --panel or fewer of them");
   }
-  refuse_large(layout.width(), layout.height(), job.panel, job.panel);
+  refuse_large(layout.width(), layout.height(), job.panel, job.panel, job.look.samples());
 }
 
 /// What the file says of itself, beside what `job.entries` says.

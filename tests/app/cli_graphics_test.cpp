@@ -246,7 +246,7 @@ TEST_F(CliGraphics, RenderRefusesBadOptions) {
   refused({"render", "--supersample", "0"});
   EXPECT_THAT(refused({"render", "--draw", "skins"}), HasSubstr("points or skin or both"));
   EXPECT_THAT(refused({"figure1", "--quality", ""}), HasSubstr("fast or normal or print"));
-  EXPECT_THAT(refused({"live", "--overlay", "trail"}), HasSubstr("did you mean 'trails'?"));
+  EXPECT_THAT(refused({"figure1", "--overlay", "trail"}), HasSubstr("did you mean 'trails'?"));
   EXPECT_THAT(refused({"render", "--scale", "around-tp", "--color-by", "speed"}),
               HasSubstr("no temperature"));
   refused({"render", "--scale", "automatic"});

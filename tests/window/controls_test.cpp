@@ -49,7 +49,7 @@ TEST(Controls, AnotherFieldHasTheScaleOfItsKind) {
   controls.color_by(*find_field("turn"));
   EXPECT_EQ(controls.look.scale.field->name, "turn");
   EXPECT_EQ(controls.look.scale.map_name, "bluered");
-  EXPECT_LT(controls.look.scale.min, 0);
+  EXPECT_EQ(controls.look.scale.ends, view::Ends::automatic);
   ASSERT_EQ(controls.commands.size(), 1u);
   const auto* command = std::get_if<ColorBy>(&controls.commands.front());
   ASSERT_NE(command, nullptr);

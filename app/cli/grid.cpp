@@ -9,8 +9,6 @@
 namespace pupflow::cli {
 namespace {
 
-
-
 [[noreturn]] void refuse_many(const std::string& text) {
   io::refuse("--grid " + io::quoted(text) + ": a sheet has at most " +
              std::to_string(pictures::kMostPanels) + " panels");

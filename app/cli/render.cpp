@@ -114,7 +114,8 @@ void take_picture(const CLI::App& verb, Options& options, std::string& frames) {
   if (const std::string* grid = find_entry(picture, "grid"); grid && options.grid.empty()) {
     for (const std::string_view axis : io::split(*grid, ' ')) options.grid.emplace_back(axis);
   }
-  if (const std::string* panel = find_entry(picture, "panel"); panel && verb.count("--panel") == 0) {
+  if (const std::string* panel = find_entry(picture, "panel");
+      panel && verb.count("--panel") == 0) {
     options.panel = io::read_number<int>(*panel).value_or(options.panel);
   }
   const std::string* step = find_entry(picture, "step");
@@ -212,8 +213,8 @@ void work(const CLI::App& verb, Options options) {
 }  // namespace
 
 Verb add_render(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("render", "Draw a scene as PNG frames or a film; needs no display and no GPU");
+  CLI::App* app = program.add_subcommand(
+      "render", "Draw a scene as PNG frames or a film; needs no display and no GPU");
   const auto options = std::make_shared<Options>();
   options->common.out = "frames/%05d.png";
   CommonHelp help;
@@ -240,11 +241,12 @@ Verb add_render(CLI::App& program) {
                       ", of a GIF to 50 (default " + std::to_string(kUsualFps) + ")")
       ->option_text("N")
       ->check(CLI::Range(1, io::kMostFps));
-  app->add_option("--grid", options->grid,
-                  "Panels of one picture: a parameter's values, name=a,b,c, name=from:to:count or "
-                  "name=from..to for whole numbers; give it twice for a table of two. One scale for "
-                  "all; --out is " +
-                      std::string(kUsualSheet) + " unless given")
+  app->add_option(
+         "--grid", options->grid,
+         "Panels of one picture: a parameter's values, name=a,b,c, name=from:to:count or "
+         "name=from..to for whole numbers; give it twice for a table of two. One scale for "
+         "all; --out is " +
+             std::string(kUsualSheet) + " unless given")
       ->option_text("RANGE")
       ->allow_extra_args(false)
       ->take_all()

@@ -167,8 +167,7 @@ bool FedChild::feed(std::string_view bytes) {
       return false;
     }
     process_->pipe.read_into(process_->end.last_words);
-    const ssize_t sent =
-        ::send(input, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    const ssize_t sent = ::send(input, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent >= 0) {
       bytes.remove_prefix(static_cast<std::size_t>(sent));
     } else if (errno != EINTR && errno != EAGAIN) {

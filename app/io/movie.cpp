@@ -27,8 +27,8 @@ struct Form {
 
 // Players take BT.709 for granted where a film is large and not where it is small, so it is named.
 // A GIF has a palette a frame: one for all would keep all frames in memory until the last.
-#define PUPFLOW_VIDEO                                                                          \
-  "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,scale=out_color_matrix=bt709:out_range=tv,"   \
+#define PUPFLOW_VIDEO                                                                        \
+  "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,scale=out_color_matrix=bt709:out_range=tv," \
   "format=yuv420p -colorspace bt709 -color_primaries bt709 -color_trc bt709 -color_range tv "
 constexpr Form kForms[] = {
     {".mp4", kMostFps,
@@ -70,9 +70,21 @@ Child ffmpeg(const std::string& target, const Form& form, const MovieFile::Optio
              const std::string& comment) {
   const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
   Child child{program_path("ffmpeg"), {}, "/", environment()};
-  child.arguments = {"-hide_banner", "-loglevel",   "error",    "-nostats",    "-y",
-                     "-f",           "rawvideo",    "-pix_fmt", "rgb0",        "-video_size",
-                     size,           "-framerate",  std::to_string(options.fps), "-i", "pipe:0"};
+  child.arguments = {"-hide_banner",
+                     "-loglevel",
+                     "error",
+                     "-nostats",
+                     "-y",
+                     "-f",
+                     "rawvideo",
+                     "-pix_fmt",
+                     "rgb0",
+                     "-video_size",
+                     size,
+                     "-framerate",
+                     std::to_string(options.fps),
+                     "-i",
+                     "pipe:0"};
   for (const std::string_view word : split(form.arguments, ' ')) child.arguments.emplace_back(word);
   if (form.keeps_comment) {
     child.arguments.insert(child.arguments.end(), {"-metadata", "comment=" + comment});
@@ -117,8 +129,8 @@ std::string movie_endings() {
 void check_movie(const std::string& path, int fps, int width, int height) {
   const Form& form = form_of(path);
   if (fps < 1 || fps > form.most_fps) {
-    refuse("--fps " + std::to_string(fps) + ": a film " + std::string(form.ending) +
-           " has 1 to " + std::to_string(form.most_fps) + " frames a second");
+    refuse("--fps " + std::to_string(fps) + ": a film " + std::string(form.ending) + " has 1 to " +
+           std::to_string(form.most_fps) + " frames a second");
   }
   if (static_cast<double>(width) * height > kMostPixels) {
     refuse("a film of " + std::to_string(width) + "x" + std::to_string(height) +
@@ -132,16 +144,16 @@ bool has_ffmpeg() {
 }
 
 std::string no_ffmpeg_text(const std::string& path, const std::string& folder, int fps) {
-  return "no film: ffmpeg is not installed (Debian and Ubuntu: apt install ffmpeg); its frames go to " +
+  return "no film: ffmpeg is not installed (Debian and Ubuntu: apt install ffmpeg); its frames go "
+         "to " +
          folder + "; with ffmpeg run this command again, or: ffmpeg -framerate " +
          std::to_string(fps) + " -pattern_type glob -i '" + folder + "/*.png' -pix_fmt yuv420p " +
          path;
 }
 
 std::string movie_comment(const TextEntries& entries) {
-  return joined(entries, "", [](const auto& entry) {
-    return "# " + entry.first + " = " + entry.second + "\n";
-  });
+  return joined(entries, "",
+                [](const auto& entry) { return "# " + entry.first + " = " + entry.second + "\n"; });
 }
 
 MovieFile::MovieFile(const std::string& path, const Options& options)
@@ -157,8 +169,7 @@ MovieFile::MovieFile(const std::string& path, const Options& options)
 }
 
 void MovieFile::add(const Image& frame) {
-  const std::string_view bytes(reinterpret_cast<const char*>(frame.rgba.data()),
-                               frame.rgba.size());
+  const std::string_view bytes(reinterpret_cast<const char*>(frame.rgba.data()), frame.rgba.size());
   if (!ffmpeg_->feed(bytes)) fail(ffmpeg_->finish());
 }
 

@@ -17,7 +17,8 @@ void figure1(const Figure1Job& job) {
   sheet_job.look = job.look;
   sheet_job.output = job.output;
   sheet_job.verb = "figure1";
-  sheet_job.entries = {{"picture", "figure1"}, {"panels_ta", io::joined(job.ta, ",", io::number_text)}};
+  sheet_job.entries = {{"picture", "figure1"},
+                       {"panels_ta", io::joined(job.ta, ",", io::number_text)}};
   sheet(sheet_job);
 }
 

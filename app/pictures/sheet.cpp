@@ -199,9 +199,9 @@ void add_caption(io::Image& scene, view::TextPainter& text, const LitterView& li
 }
 
 /// One litter, without its title.
-io::Image draw_panel(const SheetJob& job, const Simulation& simulation, const view::ColorScale& scale,
-                const view::Box& box, gl::Renderer& renderer, view::TextPainter& text,
-                double size) {
+io::Image draw_panel(const SheetJob& job, const Simulation& simulation,
+                     const view::ColorScale& scale, const view::Box& box, gl::Renderer& renderer,
+                     view::TextPainter& text, double size) {
   const LitterView litter = simulation.view();
   const view::Camera camera = view::framed(job.camera, litter.params, 1);
   view::DrawList list;
@@ -251,7 +251,8 @@ io::Image compose(const SheetJob& job, const Layout& layout, const std::vector<P
 
 void check_job(const SheetJob& job) {
   check_samples(job.look.samples());
-  if (job.look.overlays.has("trails")) io::refuse("--overlay trails: " + job.verb + " has no trails");
+  if (job.look.overlays.has("trails"))
+    io::refuse("--overlay trails: " + job.verb + " has no trails");
   if (job.axes.empty() || job.axes.size() > 2) io::refuse("a sheet varies one or two parameters");
   const std::size_t count = panel_count(job);
   if (count < 1 || count > kMostPanels) {

@@ -73,7 +73,9 @@ TEST_F(AChild, MayPrintMoreThanAPipeHoldsWhileItIsFed) {
 }
 
 TEST_F(AChild, ThatEndsBeforeItTookAllSaysWhy) {
-  FedChild failing({"/bin/sh", {"-c", "head -c 10 >/dev/null; echo full >&2; exit 7"}, "/",
+  FedChild failing({"/bin/sh",
+                    {"-c", "head -c 10 >/dev/null; echo full >&2; exit 7"},
+                    "/",
                     {"PATH=/usr/bin:/bin"}});
   EXPECT_FALSE(failing.feed(std::string(std::size_t{1} << 22, 'x')));
   const ChildEnd end = failing.finish();
@@ -84,8 +86,8 @@ TEST_F(AChild, ThatEndsBeforeItTookAllSaysWhy) {
 TEST_F(AChild, ThatIsFedEndsWithItsObject) {
   const std::string mark = scratch_.path("mark");
   {
-    FedChild waiting({"/bin/sh", {"-c", "cat >/dev/null; touch " + mark}, "/",
-                      {"PATH=/usr/bin:/bin"}});
+    FedChild waiting(
+        {"/bin/sh", {"-c", "cat >/dev/null; touch " + mark}, "/", {"PATH=/usr/bin:/bin"}});
     EXPECT_TRUE(waiting.feed("x"));
   }
   EXPECT_FALSE(std::filesystem::exists(mark));

@@ -202,11 +202,11 @@ TEST_F(CliGraphics, RefusesFilmsThatCannotBe) {
 
 TEST_F(CliGraphics, AGridIsHandedOver) {
   give_module();
-  EXPECT_THAT(pupflow({"render", "cold", "--grid", "ta=0.2:0.8:3", "--steps", "9", "--threads", "2"})
-                  .out,
-              AllOf(StartsWith("sheet seed=1 steps=9 panel=560 threads=2 camera=orbit:30,35 bar=1 "
-                               "ta 0.2 0.5 0.8\n"),
-                    HasSubstr("out=grid.png")));
+  EXPECT_THAT(
+      pupflow({"render", "cold", "--grid", "ta=0.2:0.8:3", "--steps", "9", "--threads", "2"}).out,
+      AllOf(StartsWith("sheet seed=1 steps=9 panel=560 threads=2 camera=orbit:30,35 bar=1 "
+                       "ta 0.2 0.5 0.8\n"),
+            HasSubstr("out=grid.png")));
   EXPECT_THAT(pupflow({"render", "--grid", "seed=3..5", "--grid", "contact=nearest,sum", "--panel",
                        "200", "--no-bar", "--camera", "top", "--out", "a.png"})
                   .out,

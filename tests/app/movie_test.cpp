@@ -110,8 +110,7 @@ TEST_F(AMovie, OfALongCommentIsStillAGif) {
   movie.finish();
   EXPECT_EQ(last_frame(path).width, kWidth);
   many.text.emplace_back("at", std::string(200'000, 'x'));
-  EXPECT_THAT(failure_of(ExitCode::bad_input,
-                         [&] { MovieFile(scratch_.path("b.mp4"), many); }),
+  EXPECT_THAT(failure_of(ExitCode::bad_input, [&] { MovieFile(scratch_.path("b.mp4"), many); }),
               HasSubstr("carries at most"));
 }
 

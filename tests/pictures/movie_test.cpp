@@ -62,7 +62,8 @@ TEST(Movie, HasThePictureOfEachStep) {
   render(job);
   for (int i = 1; i <= 4; ++i) {
     const io::Image film = io::read_png(folder.path("film" + std::to_string(i) + ".png"));
-    const io::Image picture = io::read_png(folder.path("picture" + std::to_string(10 * i) + ".png"));
+    const io::Image picture =
+        io::read_png(folder.path("picture" + std::to_string(10 * i) + ".png"));
     ASSERT_EQ(film.width, picture.width + 1);
     ASSERT_EQ(film.height, picture.height);
     double difference = 0;

@@ -56,8 +56,8 @@ std::string take_frames(std::vector<std::string>& at) {
   return frames;
 }
 
-/// The steps between two frames: those of --every, or for a film those after which a second of it is
-/// a second of the model. 0: one frame, after the last step.
+/// The steps between two frames: those of --every, or for a film so many that a second of it is a
+/// second of the model. 0: one frame, after the last step.
 std::int64_t frame_distance(const Options& options, const Params& params) {
   if (options.every != 0 || options.movie.empty()) return options.every;
   const double steps = 1 / (options.fps.value_or(kUsualFps) * params.dt);

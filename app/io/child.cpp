@@ -86,8 +86,8 @@ pid_t start(const Child& child, const Pipe& pipe, int input) {
   return process;
 }
 
-/// Waits for the end of a process that prints into `pipe`; kills it after Ctrl-C. `end` may hold what
-/// it printed before.
+/// Waits for the end of a process that prints into `pipe`; kills it after Ctrl-C. `end` may hold
+/// what it printed before.
 void wait_for(pid_t process, const Pipe& pipe, ChildEnd& end) {
   pollfd reading{pipe.ends[0], POLLIN, 0};
   int status = 0;

@@ -70,22 +70,10 @@ Child ffmpeg(const std::string& target, const Form& form, const MovieFile::Optio
              const std::string& comment) {
   const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
   Child child{program_path("ffmpeg"), {}, "/", environment()};
-  child.arguments = {"-hide_banner",
-                     "-loglevel",
-                     "error",
-                     "-nostats",
-                     "-y",
-                     "-f",
-                     "rawvideo",
-                     "-pix_fmt",
-                     "rgb0",
-                     "-video_size",
-                     size,
-                     "-framerate",
-                     std::to_string(options.fps),
-                     "-i",
-                     "pipe:0"};
-  for (const std::string_view word : split(form.arguments, ' ')) child.arguments.emplace_back(word);
+  const std::string words =
+      "-hide_banner -loglevel error -nostats -y -f rawvideo -pix_fmt rgb0 -video_size " + size +
+      " -framerate " + std::to_string(options.fps) + " -i pipe:0 " + std::string(form.arguments);
+  for (const std::string_view word : split(words, ' ')) child.arguments.emplace_back(word);
   if (form.keeps_comment) {
     child.arguments.insert(child.arguments.end(), {"-metadata", "comment=" + comment});
   }
@@ -143,12 +131,9 @@ bool has_ffmpeg() {
   return !program_path("ffmpeg").empty();
 }
 
-std::string no_ffmpeg_text(const std::string& path, const std::string& folder, int fps) {
-  return "no film: ffmpeg is not installed (Debian and Ubuntu: apt install ffmpeg); its frames go "
-         "to " +
-         folder + "; with ffmpeg run this command again, or: ffmpeg -framerate " +
-         std::to_string(fps) + " -pattern_type glob -i '" + folder + "/*.png' -pix_fmt yuv420p " +
-         path;
+std::string no_ffmpeg_text(const std::string& folder) {
+  return "no film: ffmpeg is not installed; its frames go to " + folder +
+         "; install it (Debian and Ubuntu: apt install ffmpeg) and run this command again";
 }
 
 std::string movie_comment(const TextEntries& entries) {

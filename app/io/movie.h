@@ -15,22 +15,22 @@ constexpr int kMostFps = 120;  // frames a second; a GIF may have 50
 /// The endings that films may have, for help and messages: ".mp4, .webm or .gif".
 std::string movie_endings();
 
-/// Throws Failure(bad_input) when the name has another ending, or the film cannot have so many frames
-/// a second or such a size in pixels.
+/// Throws Failure(bad_input) when the name has another ending, or the film cannot have so many
+/// frames a second or such a size in pixels.
 void check_movie(const std::string& path, int fps, int width, int height);
 
 /// Whether ffmpeg is found in PATH.
 bool has_ffmpeg();
 
-/// The message where it is not: what to install, and how the frames become a film.
-std::string no_ffmpeg_text(const std::string& path, const std::string& folder, int fps);
+/// The message where it is not: what to install, and where its frames go meanwhile.
+std::string no_ffmpeg_text(const std::string& folder);
 
-/// What a film carries as its comment: a line "# name = value" for each entry, as a CSV file has them.
+/// What a film carries as its comment: a line "# name = value" for each entry, as CSV files do.
 std::string movie_comment(const TextEntries& entries);
 
-/// A film being written. It appears whole in `finish`, or not at all. Sides that are odd get a white
-/// line of pixels, since most players need even ones. Members throw Failure: bad_file when ffmpeg
-/// fails, with its last words; interrupted after Ctrl-C.
+/// A film being written. It appears whole in `finish`, or not at all. Odd sides get a white line of
+/// pixels, since most players need even ones. Members throw Failure: bad_file when ffmpeg fails,
+/// with its last words; interrupted after Ctrl-C.
 class MovieFile {
  public:
   struct Options {

@@ -182,7 +182,8 @@ void advance(Simulation& simulation, std::int64_t step, Picture& picture, io::Pr
   }
 }
 
-/// The film's frames as PNG files, numbered by their steps in the folder NAME_frames, so that their names are in order.
+/// The film's frames as PNG files in the folder NAME_frames, numbered by their steps, so that the
+/// order of their names is theirs.
 RenderJob frames_instead(const RenderJob& job) {
   RenderJob frames = job;
   frames.fps = 0;
@@ -190,7 +191,7 @@ RenderJob frames_instead(const RenderJob& job) {
   const std::string folder = (path.parent_path() / (path.stem().string() + "_frames")).string();
   const std::size_t digits = std::clamp<std::size_t>(std::to_string(job.at.back()).size(), 5, 9);
   frames.output.path = folder + "/%0" + std::to_string(digits) + "d.png";
-  io::note(io::no_ffmpeg_text(job.output.path, folder, job.fps));
+  io::note(io::no_ffmpeg_text(folder));
   return frames;
 }
 

@@ -32,9 +32,9 @@ struct SheetJob {
 };
 
 /// Runs one litter for each panel and writes the sheet. All panels have one color scale, fitted to
-/// all litters. Throws Failure: bad_input (also for sizes that cannot be drawn), bad_file (before
-/// anything is run when the output exists), bad_numbers, no_context, interrupted; nothing is written
-/// then.
+/// all litters. Throws Failure, and writes nothing then: bad_input (also for sizes that cannot be
+/// drawn), bad_file (before anything is run when the output exists), bad_numbers, no_context,
+/// interrupted.
 void sheet(const SheetJob& job);
 
 }  // namespace pupflow::pictures

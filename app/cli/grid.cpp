@@ -20,7 +20,7 @@ std::vector<double> whole_numbers(const std::string& text, std::string_view from
   const auto first = io::read_number<std::int64_t>(from), last = io::read_number<std::int64_t>(to);
   if (!first || !last || *first > *last) {
     io::refuse("--grid " + io::quoted(text) +
-               ": from..to are whole numbers, the smaller first, e.g. seed=1..6");
+               ": must be whole numbers, in from..to the smaller first, e.g. seed=1..6");
   }
   std::vector<double> values;
   for (std::int64_t i = *first;; ++i) {

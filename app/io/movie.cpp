@@ -38,7 +38,7 @@ constexpr Form kForms[] = {
      true},
     {".gif", 50,
      "-filter_complex split[a][b];[a]palettegen=stats_mode=single[p];"
-     "[b][p]paletteuse=new=1:dither=bayer:bayer_scale=5 -f gif",
+     "[b][p]paletteuse=new=1:dither=sierra2_4a -f gif",
      false}};
 #undef PUPFLOW_VIDEO
 

@@ -210,8 +210,22 @@ TEST_F(CliGraphics, AGridIsHandedOver) {
   EXPECT_THAT(pupflow({"render", "--grid", "seed=3..5", "--grid", "contact=nearest,sum", "--panel",
                        "200", "--no-bar", "--camera", "top", "--out", "a.png"})
                   .out,
-              AllOf(HasSubstr("panel=200"), HasSubstr("camera=top bar=0 seed 3 4 5 contact 0 1\n"),
+              AllOf(HasSubstr("panel=200"), HasSubstr("camera=top bar=0 seed 3 4 5 contact 0 2\n"),
                     HasSubstr("out=a.png")));
+}
+
+TEST_F(CliGraphics, LikeGivesAGridBack) {
+  give_module();
+  const io::TextEntries extra{{"picture", "grid"}, {"grid", "ta=0.2,0.5 seed=4,5"},
+                              {"panel", "300"},    {"bar", "false"},
+                              {"camera", "top"},   {"color_by", "tb"},
+                              {"scale", "0,1"}};
+  io::write_png(scratch_.path("g.png"), io::Image(4, 4), io::provenance(Params{}, extra), false);
+  EXPECT_THAT(pupflow({"render", "--like", "g.png", "--threads", "1"}).out,
+              StartsWith("sheet seed=1 steps=1500 panel=300 threads=1 camera=top bar=0 ta 0.2 0.5 "
+                         "seed 4 5\n"));
+  EXPECT_THAT(pupflow({"render", "--like", "g.png", "--grid", "pups=1..3", "--panel", "200"}).out,
+              AllOf(HasSubstr("panel=200"), HasSubstr("bar=0 pups 1 2 3\n")));
 }
 
 TEST_F(CliGraphics, RefusesGridsThatCannotBe) {

@@ -98,7 +98,7 @@ TEST(Sheet, CarriesItsGrid) {
   const test::Scratch folder;
   SheetJob job = small_job(folder);
   job.params.steps = 3;
-  job.axes = {{"ta", {0.2, 0.25}}, {"contact", {0, 1}}};
+  job.axes = {{"ta", {0.2, 0.25}}, {"contact", {0, 2}}};
   sheet(job);
   const auto text = io::read_png_text(job.output.path);
   EXPECT_EQ(io::params_from(text, "sheet"), job.params);

@@ -58,7 +58,7 @@ struct ModeRow {
 
 ModeMatrix goal_modes(const ModeMatrix& fit, const Eigen::Matrix3d& rotation, double linear_scale,
                       double beta) {
-  assert(linear_scale >= 0);  // 0 for a body so small that squares of its size are 0
+  assert(linear_scale > 0);
   ModeMatrix goal = beta * fit;
   // The fitted linear map of rest offsets is linear / linear_scale, the rotation's is R.
   Eigen::Matrix3d map = (beta / linear_scale) * linear_part(fit) + (1 - beta) * rotation;

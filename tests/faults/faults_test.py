@@ -56,12 +56,12 @@ CASES = {
                    kinds={kind: codes for kind, codes in KINDS.items() if kind != "thread"}),
     "threads": Case(["run", "--set", "pups=64", "--set", "face_points=3", "--steps", "3",
                      "--threads", "4", "--quiet", "--csv", "a.csv"], kinds={"thread": {0}}),
-    "sweep": Case(["sweep", *SWEEP, *GRID, "--out", "s"], folder="s", most=5),
+    "sweep": Case(["sweep", *SWEEP, *GRID, "--out", "s"], folder="s", most=2),
     "sweep_threads": Case(["sweep", *SWEEP[:-3], "--threads", "3", "--quiet", *GRID, "--out", "s"],
                           folder="s", kinds={"thread": {0}}),
     "merge": Case(["merge", "in1", "in2", "--out", "s", "--quiet"], ["in1", "in2"], folder="s",
                   most=5),
-    "figure2": Case(["figure2", *SWEEP, "--seeds", "1", "--out", "s"], folder="s", most=4),
+    "figure2": Case(["figure2", *SWEEP, "--seeds", "1", "--out", "s"], folder="s", most=2),
 }
 
 PREPARED = {

@@ -53,10 +53,6 @@ Params params_from(Source& source) {
   Params params;
   for (const Parameter& row : parameters()) row.set(params, value_for(row, source));
   params.pups = std::min(params.pups, kMostPups);
-  // The square of a smaller radius is 0. What is then observed is not finite, and its status ends a
-  // run that goes on unobserved.
-  constexpr double kSmallest = 1e-100;
-  params.pup_radius = std::max(params.pup_radius, kSmallest);
   params.face_points = std::min(params.face_points, kMostFacePoints);
   for (int changes = source.byte() % 4; changes > 0; --changes) {
     params.schedule.add(change_from(source, params.pups));

@@ -9,6 +9,7 @@
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
 #include "app/io/machine.h"
+#include "app/io/movie.h"
 #include "app/io/table.h"
 #include "pupflow/version.h"
 
@@ -52,6 +53,8 @@ void work(const Options& options) {
   std::vector<std::string> advice;
   const bool plots = !io::program_path("gnuplot").empty();
   rows.push_back({"figures", plots ? "gnuplot found" : "no gnuplot"});
+  const bool films = io::has_ffmpeg();
+  rows.push_back({"films", films ? "ffmpeg found" : "no ffmpeg"});
   const bool ranks = is_module_there(io::kMpiModule);
   rows.push_back({"mpi", ranks ? "module found: mpirun and srun spread sweeps" : "not built"});
   if (!ranks) {
@@ -59,6 +62,7 @@ void work(const Options& options) {
         "sweeps over several machines need MPI: apt install libopenmpi-dev, build again");
   }
   if (!plots) advice.emplace_back("the figures of sweeps need gnuplot: apt install gnuplot-nox");
+  if (!films) advice.emplace_back("films need ffmpeg: apt install ffmpeg");
   try {
     graphics::Graphics& graphics = load_graphics();
     rows.push_back({"graphics", "module loaded"});

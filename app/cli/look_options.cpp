@@ -16,9 +16,10 @@ constexpr const char* kScales = "auto|around-tp|field|MIN,MAX";
 
 /// Sets the ends of `scale` as `text` says.
 void take_scale(const std::string& text, view::ColorScale& scale) {
-  if (text == "auto") return scale.set_ends(view::Ends::automatic);
-  if (text == "around-tp") return scale.set_ends(view::Ends::around_tp);
-  if (text == "field") return scale.set_ends(view::Ends::field);
+  const auto* name = std::ranges::find(view::kEndsNames, text);
+  if (name != view::kEndsNames.end() && !text.empty()) {
+    return scale.set_ends(static_cast<view::Ends>(name - view::kEndsNames.begin()));
+  }
   const std::vector<double> ends = parse_numbers("--scale", text);
   if (ends.size() != 2 || !(ends[0] < ends[1])) {
     io::refuse("--scale " + text +

@@ -1,17 +1,21 @@
-// pupflow render: headless PNG frames of one scene.
+// pupflow render: headless PNG frames of one scene, a film of it, or a sheet of several.
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
 
 #include "app/cli/graphics_module.h"
+#include "app/cli/grid.h"
 #include "app/cli/look_options.h"
 #include "app/cli/parse.h"
 #include "app/cli/start.h"
 #include "app/cli/verb.h"
+#include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/io/frame_path.h"
+#include "app/io/movie.h"
 #include "app/io/params_of_file.h"
+#include "app/io/text.h"
 
 namespace pupflow::cli {
 namespace {
@@ -21,6 +25,8 @@ using io::Failure;
 
 constexpr std::int64_t kMostFrames = 1'000'000;
 constexpr double kFurthestTarget = 1e6;
+constexpr int kUsualFps = 25;
+constexpr const char* kUsualSheet = "grid.png";
 
 struct Options {
   Common common;
@@ -32,6 +38,10 @@ struct Options {
   std::string target;
   std::optional<int> follow;
   bool no_bar = false;
+  std::string movie;
+  std::optional<int> fps;
+  std::vector<std::string> grid;
+  int panel = pictures::SheetJob{}.panel;
 };
 
 /// --at names frames by their steps, or changes as it does everywhere: takes the former away from
@@ -46,23 +56,32 @@ std::string take_frames(std::vector<std::string>& at) {
   return frames;
 }
 
-/// The steps after which a frame is wanted.
+/// The steps between two frames: those of --every, or for a film so many that a second of it is a
+/// second of the model. 0: one frame, after the last step.
+std::int64_t frame_distance(const Options& options, const Params& params) {
+  if (options.every != 0 || options.movie.empty()) return options.every;
+  const double steps = 1 / (options.fps.value_or(kUsualFps) * params.dt);
+  return static_cast<std::int64_t>(std::clamp(std::round(steps), 1.0, 1e15));
+}
+
+/// The steps after which a frame is wanted, of a run that begins after step `begin`.
 std::vector<std::int64_t> frame_steps(const Options& options, const std::string& at,
-                                      const Params& params) {
+                                      const Params& params, std::int64_t begin) {
   if (!at.empty()) {
     if (options.every != 0) io::refuse("--at STEPS and --every both say which frames; use one");
     return parse_steps("--at", at);
   }
-  if (options.every == 0) return {params.steps};
-  const std::int64_t count = params.steps / options.every;
-  if (count == 0 || count > kMostFrames) {
-    throw Failure(ExitCode::bad_input, "--every " + std::to_string(options.every) + ": gives " +
-                                           std::to_string(count) + " frames over " +
-                                           std::to_string(params.steps) + " steps; must be 1 to " +
-                                           std::to_string(kMostFrames));
+  const std::int64_t every = frame_distance(options, params);
+  if (every == 0) return {params.steps};
+  const std::int64_t count = params.steps / every - begin / every;
+  if (count <= 0 || count > kMostFrames) {
+    throw Failure(ExitCode::bad_input, "--every " + std::to_string(every) + ": gives " +
+                                           std::to_string(std::max<std::int64_t>(count, 0)) +
+                                           " frames over " + std::to_string(params.steps - begin) +
+                                           " steps; must be 1 to " + std::to_string(kMostFrames));
   }
   std::vector<std::int64_t> steps;
-  for (std::int64_t i = 1; i <= count; ++i) steps.push_back(i * options.every);
+  for (std::int64_t i = 1; i <= count; ++i) steps.push_back((begin / every + i) * every);
   return steps;
 }
 
@@ -74,7 +93,7 @@ void check_pattern(const std::string& pattern, std::size_t frames) {
                     " frames need a place for the step, e.g. --out 'frames/%05d.png'");
 }
 
-/// Takes what was not typed from the picture of --like: its look, its camera and its step.
+/// Takes what was not typed from the picture of --like: its look, its camera, its panels, its step.
 void take_picture(const CLI::App& verb, Options& options, std::string& frames) {
   const std::string& like = options.common.settings.like;
   if (like.empty()) return;
@@ -92,8 +111,16 @@ void take_picture(const CLI::App& verb, Options& options, std::string& frames) {
   }
   const std::string* bar = find_entry(picture, "bar");
   if (bar != nullptr && *bar == "false") options.no_bar = true;
+  if (const std::string* grid = find_entry(picture, "grid"); grid && options.grid.empty()) {
+    for (const std::string_view axis : io::split(*grid, ' ')) options.grid.emplace_back(axis);
+  }
+  if (const std::string* panel = find_entry(picture, "panel");
+      panel && verb.count("--panel") == 0) {
+    options.panel = io::read_number<int>(*panel).value_or(options.panel);
+  }
   const std::string* step = find_entry(picture, "step");
-  if (step != nullptr && frames.empty() && options.every == 0 && verb.count("--steps") == 0) {
+  if (step != nullptr && frames.empty() && options.every == 0 && options.movie.empty() &&
+      options.grid.empty() && verb.count("--steps") == 0) {
     frames = *step;
   }
 }
@@ -112,31 +139,82 @@ view::Camera camera_of(const Options& options) {
   return camera;
 }
 
+/// The file that is written, and for a film its frames a second.
+void take_output(const CLI::App& verb, const Options& options, pictures::RenderJob& job) {
+  job.output = {options.common.out, options.common.force, options.common.quiet};
+  if (options.movie.empty()) {
+    if (options.fps) io::refuse("--fps: is for films; use it with --movie FILE");
+    return check_pattern(job.output.path, job.at.size());
+  }
+  if (verb.count("--out") > 0) {
+    io::refuse("--out names pictures, --movie a film; use one");
+  }
+  job.output.path = options.movie;
+  job.fps = options.fps.value_or(kUsualFps);
+  io::check_movie(options.movie, job.fps, job.width, job.height);
+}
+
+/// Draws the panels of --grid.
+void draw_sheet(const CLI::App& verb, const Options& options, const io::Settings& settings,
+                const std::string& frames) {
+  for (const char* option : {"--movie", "--fps", "--from", "--every", "--size", "--follow"}) {
+    if (verb.count(option) > 0) io::refuse(std::string(option) + ": does not go with --grid");
+  }
+  if (!frames.empty()) {
+    io::refuse("--at " + frames + ": panels show the last step; use --steps");
+  }
+  pictures::SheetJob job;
+  job.verb = "render --grid";
+  job.axes = parse_grid(options.grid);
+  for (const pictures::Axis& axis : job.axes) {
+    for (const std::string& set : settings.sets) {
+      if (set.starts_with(axis.parameter + "=")) {
+        io::refuse("--set " + set + ": each panel has its own " + axis.parameter);
+      }
+    }
+  }
+  job.params = start_of(settings, "").recipe;
+  job.panel = options.panel;
+  job.camera = camera_of(options);
+  job.bar = !options.no_bar;
+  job.threads = thread_count(options.common);
+  job.look = look_of(options.look);
+  job.output = {verb.count("--out") > 0 ? options.common.out : kUsualSheet, options.common.force,
+                options.common.quiet};
+  if (io::has_number(job.output.path)) {
+    io::refuse("--out " + job.output.path + ": a sheet is one picture; name it without %");
+  }
+  job.entries = {{"picture", "grid"}};
+  io::refuse_existing(job.output.path, job.output.force);
+  load_graphics().sheet(job);
+}
+
 void work(const CLI::App& verb, Options options) {
-  pictures::RenderJob job;
   io::Settings settings = options.common.settings;
   std::string frames = take_frames(settings.at);
   take_picture(verb, options, frames);
+  if (!options.grid.empty()) return draw_sheet(verb, options, settings, frames);
+  if (verb.count("--panel") > 0) io::refuse("--panel: is for sheets; use it with --grid");
+  pictures::RenderJob job;
   const Start start = start_of(settings, options.from);
   job.params = start.recipe;
   job.from = start.from;
-  job.at = frame_steps(options, frames, job.params);
+  job.at = frame_steps(options, frames, job.params, job.from ? job.from->step : 0);
   std::tie(job.width, job.height) = parse_size("--size", options.size);
   job.camera = camera_of(options);
   job.follow = options.follow;
   job.threads = thread_count(options.common);
   job.bar = !options.no_bar;
   job.look = look_of(options.look);
-  job.output = {options.common.out, options.common.force, options.common.quiet};
-  check_pattern(job.output.path, job.at.size());
+  take_output(verb, options, job);
   load_graphics().render(job);
 }
 
 }  // namespace
 
 Verb add_render(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("render", "Draw PNG frames of a scene; needs no display and no GPU");
+  CLI::App* app = program.add_subcommand(
+      "render", "Draw a scene as PNG frames or a film; needs no display and no GPU");
   const auto options = std::make_shared<Options>();
   options->common.out = "frames/%05d.png";
   CommonHelp help;
@@ -148,10 +226,38 @@ Verb add_render(CLI::App& program) {
   help.quiet = "No progress";
   add_common(*app, options->common, help);
   app->add_option("--every", options->every,
-                  "A frame after steps N, 2N, ... up to --steps. With neither: the last step")
+                  "A frame after steps N, 2N, ... up to --steps. With neither: the last step; in a "
+                  "film as many as make a second of it a second of the model")
       ->option_text("N")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
   add_from(*app, options->from);
+  app->add_option("--movie", options->movie,
+                  "Write a film in place of pictures, " + io::movie_endings() +
+                      "; needs ffmpeg, and writes its frames to the folder FILE_frames without")
+      ->option_text("FILE")
+      ->check(not_empty);
+  app->add_option("--fps", options->fps,
+                  "Frames a second of the film, 1 to " + std::to_string(io::kMostFps) +
+                      ", of a GIF to 50 (default " + std::to_string(kUsualFps) + ")")
+      ->option_text("N")
+      ->check(CLI::Range(1, io::kMostFps));
+  app->add_option(
+         "--grid", options->grid,
+         "Panels of one picture: a parameter's values, name=a,b,c, name=from:to:count or "
+         "name=from..to for whole numbers; give it twice for a table of two. One scale for "
+         "all; --out is " +
+             std::string(kUsualSheet) + " unless given")
+      ->option_text("RANGE")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->check(not_empty);
+  app->add_option("--panel", options->panel,
+                  "Edge of a panel of --grid in pixels, " +
+                      std::to_string(pictures::kSmallestPanel) + " to " +
+                      std::to_string(pictures::kLargestPanel) + " (default " +
+                      std::to_string(options->panel) + ")")
+      ->option_text("N")
+      ->check(CLI::Range(pictures::kSmallestPanel, pictures::kLargestPanel));
   app->add_option("--size", options->size, "Pixels (default " + options->size + ")")
       ->option_text("WxH");
   app->add_option("--camera", options->camera,

@@ -9,6 +9,7 @@
 #include "app/pictures/figure1.h"
 #include "app/pictures/image.h"
 #include "app/pictures/render.h"
+#include "app/pictures/sheet.h"
 #include "app/window/live_job.h"
 
 namespace pupflow::graphics {
@@ -19,6 +20,7 @@ class Graphics {
  public:
   virtual ~Graphics() = default;
   virtual void render(const pictures::RenderJob& job) = 0;
+  virtual void sheet(const pictures::SheetJob& job) = 0;
   virtual void figure1(const pictures::Figure1Job& job) = 0;
   virtual io::Image image(const pictures::ImageJob& job, const LitterView& litter) = 0;
   virtual void live(const window::LiveJob& job) = 0;

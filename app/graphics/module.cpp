@@ -11,6 +11,7 @@ namespace {
 class Module final : public Graphics {
  public:
   void render(const pictures::RenderJob& job) override { pictures::render(job); }
+  void sheet(const pictures::SheetJob& job) override { pictures::sheet(job); }
   void figure1(const pictures::Figure1Job& job) override { pictures::figure1(job); }
   io::Image image(const pictures::ImageJob& job, const LitterView& litter) override {
     return pictures::image(job, litter);

@@ -1,7 +1,9 @@
 // A program that this one starts and waits for, without a shell.
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pupflow::io {
@@ -22,5 +24,27 @@ struct ChildEnd {
 /// When this program is interrupted the child is killed. Throws Failure(bad_file) that names the
 /// program when it cannot be started.
 ChildEnd run_child(const Child& child);
+
+/// The same for a program that reads what it is given on standard input while it runs.
+class FedChild {
+ public:
+  /// Starts it. Throws like run_child.
+  explicit FedChild(const Child& child);
+  /// Kills it where it still runs.
+  ~FedChild();
+  FedChild(const FedChild&) = delete;
+  FedChild& operator=(const FedChild&) = delete;
+
+  /// Returns once it took all bytes. False where it ended before that, or was killed since this
+  /// program was interrupted.
+  bool feed(std::string_view bytes);
+
+  /// Closes its input and waits for its end. Once, last.
+  ChildEnd finish();
+
+ private:
+  struct Process;
+  std::unique_ptr<Process> process_;
+};
 
 }  // namespace pupflow::io

@@ -1,6 +1,7 @@
 // What pictures and the window share: how a litter is shown, where a file goes, and the limits.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "app/view/color_scale.h"
@@ -10,12 +11,13 @@
 namespace pupflow::pictures {
 
 /// The sides that a picture or a window may have, in pixels; samples across a pixel; the edge of a
-/// panel of Figure 1.
+/// panel of a sheet, and the panels that one may have.
 constexpr int kSmallestSide = 16, kLargestSide = 16384;
 constexpr int kMostSamples = 8;
 constexpr int kMostDpi = 4800;
 constexpr double kLongestTrail = 1000;  // model seconds
 constexpr int kSmallestPanel = 120, kLargestPanel = 4096;
+constexpr std::size_t kMostPanels = 100;
 
 /// Options that every picture and window shares.
 struct Look {

@@ -1,5 +1,6 @@
 #include "app/pictures/render.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -8,8 +9,11 @@
 #include "app/io/failure.h"
 #include "app/io/frame_path.h"
 #include "app/io/interrupt.h"
+#include "app/io/movie.h"
+#include "app/io/note.h"
 #include "app/io/progress.h"
 #include "app/io/provenance.h"
+#include "app/io/text.h"
 #include "app/pictures/picture.h"
 #include "app/view/framing.h"
 
@@ -29,6 +33,11 @@ void check_job(const RenderJob& job) {
     io::refuse("there is no pup " + std::to_string(*job.follow) + " to follow; the litter has " +
                std::to_string(job.params.pups) + ", numbered from 0");
   }
+  if (job.fps != 0) {
+    io::check_movie(job.output.path, job.fps, job.width, job.height);
+    if (job.look.transparent) io::refuse("a film has no transparent paper");
+    return;
+  }
   if (job.at.size() > 1 && !io::has_number(job.output.path)) {
     throw io::Failure(io::ExitCode::bad_input,
                       job.output.path +
@@ -40,6 +49,7 @@ void check_job(const RenderJob& job) {
 /// Refuses before any work what could not be written after it. Numbered frames may go to a folder
 /// that is still to be made.
 void check_outputs(const RenderJob& job) {
+  if (job.fps != 0) return io::refuse_existing(job.output.path, job.output.force);
   std::filesystem::path made;
   for (const std::int64_t step : job.at) {
     const std::string path = io::frame_path(job.output.path, step);
@@ -56,28 +66,71 @@ void check_outputs(const RenderJob& job) {
   }
 }
 
+/// Where the pictures were taken from, and what they show.
+io::TextEntries view_entries(const RenderJob& job, const view::Camera& camera,
+                             const io::TextEntries& look) {
+  io::TextEntries entries = camera_entries(camera);
+  entries.emplace_back("size", std::to_string(job.width) + "x" + std::to_string(job.height));
+  entries.emplace_back("bar", job.bar ? "true" : "false");
+  entries.insert(entries.end(), look.begin(), look.end());
+  return entries;
+}
+
+/// What a film carries: known before its first frame.
+io::TextEntries movie_text(const RenderJob& job, const view::Camera& camera) {
+  io::TextEntries extra{{"picture", "movie"},
+                        {"fps", std::to_string(job.fps)},
+                        {"frames", std::to_string(job.at.size())},
+                        {"first_step", std::to_string(job.at.front())},
+                        {"last_step", std::to_string(job.at.back())}};
+  if (job.follow) extra.emplace_back("follow", std::to_string(*job.follow));
+  io::TextEntries look = look_entries(job.look, job.look.scale.fitted({}));
+  for (auto& [name, value] : look) {
+    if (name == "scale" && job.look.scale.ends != view::Ends::typed) {
+      value = view::name_of(job.look.scale.ends);
+    }
+  }
+  const io::TextEntries seen = view_entries(job, camera, look);
+  extra.insert(extra.end(), seen.begin(), seen.end());
+  return io::provenance(job.params, extra);
+}
+
 /// Writes frames one after the other on a thread of its own, while the next one is made.
 class Writer {
  public:
-  explicit Writer(const RenderJob& job) : job_(job) {}
+  Writer(const RenderJob& job, const view::Camera& camera) : job_(job) {
+    if (job.fps == 0) return;
+    movie_.emplace(job.output.path, io::MovieFile::Options{.width = job.width,
+                                                           .height = job.height,
+                                                           .fps = job.fps,
+                                                           .text = movie_text(job, camera),
+                                                           .force = job.output.force});
+  }
 
   /// Throws what writing the frame before threw.
   void write(const Simulation& litter, io::Image image, const view::Camera& camera,
              const io::TextEntries& look) {
     finish();
+    frame_ = std::move(image);
+    if (movie_) {
+      pending_ = thread_.run([this] { movie_->add(frame_); });
+      return;
+    }
     const std::int64_t step = litter.steps_done();
     io::TextEntries extra{{"picture", "render"}};
     io::add_state(litter, extra);
-    const io::TextEntries seen = camera_entries(camera);
+    const io::TextEntries seen = view_entries(job_, camera, look);
     extra.insert(extra.end(), seen.begin(), seen.end());
-    extra.emplace_back("size", std::to_string(image.width) + "x" + std::to_string(image.height));
-    extra.emplace_back("bar", job_.bar ? "true" : "false");
-    extra.insert(extra.end(), look.begin(), look.end());
-    frame_ = std::move(image);
     pending_ = thread_.run([this, step, extra] {
       io::write_png(io::frame_path(job_.output.path, step), frame_,
                     io::provenance(job_.params, extra), job_.output.force, png_options(job_.look));
     });
+  }
+
+  /// Once, last.
+  void close() {
+    finish();
+    if (movie_) movie_->finish();
   }
 
   void finish() {
@@ -89,6 +142,7 @@ class Writer {
 
   /// How far it came, for a message.
   std::string summary() {
+    if (movie_) return "no film was written";
     finish();
     return std::to_string(written_) + " of " + std::to_string(job_.at.size()) +
            " frames were written";
@@ -97,6 +151,7 @@ class Writer {
  private:
   const RenderJob& job_;
   io::Image frame_;
+  std::optional<io::MovieFile> movie_;
   std::optional<io::Background::Ticket> pending_;
   std::size_t written_ = 0;
   io::Background thread_;  // last: it uses the others
@@ -127,10 +182,27 @@ void advance(Simulation& simulation, std::int64_t step, Picture& picture, io::Pr
   }
 }
 
+/// The film's frames as PNG files in the folder NAME_frames, numbered by their steps, so that the
+/// order of their names is theirs.
+RenderJob frames_instead(const RenderJob& job) {
+  RenderJob frames = job;
+  frames.fps = 0;
+  const std::filesystem::path path(job.output.path);
+  const std::string folder = (path.parent_path() / (path.stem().string() + "_frames")).string();
+  const std::size_t digits = std::clamp<std::size_t>(std::to_string(job.at.back()).size(), 5, 9);
+  frames.output.path = folder + "/%0" + std::to_string(digits) + "d.png";
+  io::note(io::no_ffmpeg_text(folder));
+  return frames;
+}
+
 }  // namespace
 
 void render(const RenderJob& job) {
   check_job(job);
+  if (job.fps != 0 && !io::has_ffmpeg()) {
+    io::refuse_existing(job.output.path, job.output.force);
+    return render(frames_instead(job));
+  }
   Simulation simulation = first_litter(job);
   simulation.set_threads(job.threads);
   Picture picture(job.width, job.height, job.bar, job.look);
@@ -138,7 +210,7 @@ void render(const RenderJob& job) {
   const Headless headless(job.look);
   picture.refuse_large();
   check_outputs(job);
-  Writer writer(job);
+  Writer writer(job, camera);
   io::Progress progress("render", job.at.back(), job.output.quiet);
   for (const std::int64_t step : job.at) {
     advance(simulation, step, picture, progress, writer);
@@ -146,7 +218,7 @@ void render(const RenderJob& job) {
     io::Image frame = picture.draw(*headless.renderer, simulation.view(), camera);
     writer.write(simulation, std::move(frame), camera, picture.look_entries());
   }
-  writer.finish();
+  writer.close();
 }
 
 }  // namespace pupflow::pictures

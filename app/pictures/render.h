@@ -21,13 +21,16 @@ struct RenderJob {
   view::Camera camera = view::Camera::parse(view::Camera::kUsual);
   std::optional<int> follow;  // keep this pup in the middle
   bool bar = true;            // draw the legend of the colors
+  int fps = 0;                // frames a second of the film at output.path; 0: PNG files
   Look look;
   Output output;  // path may hold one %d (with width, e.g. %05d) for the step
 };
 
 /// Steps the litter once through and writes a frame at each asked step. Throws Failure: bad_input
 /// and bad_file (before the first step when an output exists), no_context; bad_numbers and
-/// interrupted, which keep the frames written so far and say how many these are.
+/// interrupted, which keep the PNG files written so far and say how many these are. A film is there
+/// whole or not at all. Without ffmpeg its frames become PNG files in the folder NAME_frames, and a
+/// note says so.
 void render(const RenderJob& job);
 
 }  // namespace pupflow::pictures

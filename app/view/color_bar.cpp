@@ -185,13 +185,9 @@ std::string tick_label(double value) {
 
 TextLine title_of(const Field& field) {
   TextLine title{{std::string(field.label)}};
-  const std::string written(field.symbol);
-  if (const auto mark = written.find('_'); mark != std::string::npos) {
+  if (!field.symbol.empty()) {
     title.front().text += ' ';
-    title = title + symbol(written.substr(0, mark), written.substr(mark + 1));
-  } else if (!written.empty()) {
-    title.front().text += ' ';
-    title.push_back({written, TextRun::Style::italic});
+    title = title + symbol(field.symbol);
   }
   if (!field.unit.empty()) title = title + (" (" + std::string(field.unit) + ")");
   return title;

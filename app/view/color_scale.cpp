@@ -124,7 +124,8 @@ void ColorScale::set_range(double low, double high) {
   }
   min = low;
   max = high;
-  ends = Ends::typed;
+  // So that such a bar has one width, however its ends were named.
+  ends = low == field->low && high == field->high ? Ends::field : Ends::typed;
 }
 
 void ColorScale::set_ends(Ends from) {

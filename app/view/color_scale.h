@@ -1,6 +1,7 @@
 // The scale that turns the values of a field into colors.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -19,6 +20,13 @@ enum class Ends {
   automatic,  // the middle 90 % of the values: 5 to 95 %
   around_tp   // as far from T_p, to both sides, as the automatic ends are
 };
+
+/// As they are typed; numbers are, for Ends::typed.
+constexpr std::array<std::string_view, 4> kEndsNames{"field", "", "auto", "around-tp"};
+
+inline std::string_view name_of(Ends ends) {
+  return kEndsNames[static_cast<std::size_t>(ends)];
+}
 
 /// Which field is shown, and the color of each of its values. A plain value.
 ///

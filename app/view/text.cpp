@@ -111,6 +111,12 @@ TextLine symbol(const std::string& letter, const std::string& subscript) {
   return {{letter, TextRun::Style::italic}, {subscript, TextRun::Style::subscript}};
 }
 
+TextLine symbol(std::string_view written) {
+  const std::size_t mark = written.find('_');
+  if (mark == std::string_view::npos) return {{std::string(written), TextRun::Style::italic}};
+  return symbol(std::string(written.substr(0, mark)), std::string(written.substr(mark + 1)));
+}
+
 TextLine operator+(TextLine a, const TextLine& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/io/png.h"
@@ -20,6 +21,9 @@ using TextLine = std::vector<TextRun>;
 
 /// An italic symbol with a subscript, e.g. symbol("T", "a").
 TextLine symbol(const std::string& letter, const std::string& subscript);
+
+/// A symbol as the tables write it, with a subscript behind a _ where it has one: "T_a", "β".
+TextLine symbol(std::string_view written);
 
 /// `a` followed by `b`.
 TextLine operator+(TextLine a, const TextLine& b);

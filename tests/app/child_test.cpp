@@ -54,6 +54,45 @@ TEST_F(AChild, MayPrintALotAndCloseItsStreams) {
   EXPECT_EQ(shell("exec >&- 2>&-; sleep 0.1; exit 5").status, 5);
 }
 
+TEST_F(AChild, TakesWhatItIsFed) {
+  FedChild counting({"/bin/sh", {"-c", "wc -c; echo done >&2"}, "/", {"PATH=/usr/bin:/bin"}});
+  const std::string megabyte(std::size_t{1} << 20, 'x');
+  EXPECT_TRUE(counting.feed(megabyte));
+  EXPECT_TRUE(counting.feed("end"));
+  const ChildEnd end = counting.finish();
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(end.last_words, "1048579\ndone\n");
+}
+
+TEST_F(AChild, MayPrintMoreThanAPipeHoldsWhileItIsFed) {
+  FedChild echo({"/bin/cat", {}, "/", {}});
+  EXPECT_TRUE(echo.feed(std::string(std::size_t{1} << 22, 'x') + "end"));
+  const ChildEnd end = echo.finish();
+  EXPECT_EQ(end.last_words.size(), std::size_t{1} << 16);
+  EXPECT_TRUE(end.last_words.ends_with("end"));
+}
+
+TEST_F(AChild, ThatEndsBeforeItTookAllSaysWhy) {
+  FedChild failing({"/bin/sh",
+                    {"-c", "head -c 10 >/dev/null; echo full >&2; exit 7"},
+                    "/",
+                    {"PATH=/usr/bin:/bin"}});
+  EXPECT_FALSE(failing.feed(std::string(std::size_t{1} << 22, 'x')));
+  const ChildEnd end = failing.finish();
+  EXPECT_EQ(end.status, 7);
+  EXPECT_EQ(end.last_words, "full\n");
+}
+
+TEST_F(AChild, ThatIsFedEndsWithItsObject) {
+  const std::string mark = scratch_.path("mark");
+  {
+    FedChild waiting(
+        {"/bin/sh", {"-c", "cat >/dev/null; touch " + mark}, "/", {"PATH=/usr/bin:/bin"}});
+    EXPECT_TRUE(waiting.feed("x"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(mark));
+}
+
 TEST_F(AChild, ThatDoesNotStartIsNamed) {
   const auto start = [&](const std::string& program, const std::string& folder) {
     return failure_of(ExitCode::bad_file, [&] { run_child({program, {}, folder, {}}); });

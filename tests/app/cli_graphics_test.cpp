@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::Outcome;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
@@ -167,6 +168,86 @@ TEST_F(CliGraphics, ColorByRefusesWhatCannotBe) {
   EXPECT_THAT(refused({"live", "--color-by", "side", "--colormap", "jet"}),
               HasSubstr("categorical"));
   refused({"render", "--color-by", ""});
+}
+
+TEST_F(CliGraphics, ASecondOfAFilmIsASecondOfTheModelUnlessAsked) {
+  give_module();
+  const auto film = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "--movie", "a.mp4", "--steps", "20"});
+    return pupflow(options).out;
+  };
+  EXPECT_THAT(film({}), AllOf(HasSubstr("at 4 8 12 16 20\n"), HasSubstr(" fps=25\n"),
+                              HasSubstr("out=a.mp4")));
+  EXPECT_THAT(film({"--fps", "10"}), AllOf(HasSubstr("at 10 20\n"), HasSubstr(" fps=10\n")));
+  EXPECT_THAT(film({"--set", "dt=0.04"}), HasSubstr("at 1 2 3 4"));
+  EXPECT_THAT(film({"--every", "7"}), HasSubstr("at 7 14\n"));
+  EXPECT_THAT(film({"--at", "3,5"}), HasSubstr("at 3 5\n"));
+}
+
+TEST_F(CliGraphics, RefusesFilmsThatCannotBe) {
+  give_module();
+  const auto film = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), "render");
+    return refused(options);
+  };
+  EXPECT_THAT(film({"--movie", "a.avi"}), HasSubstr(".mp4, .webm or .gif"));
+  EXPECT_THAT(film({"--movie", ""}), HasSubstr("--movie"));
+  EXPECT_THAT(film({"--movie", "a.gif", "--fps", "60"}), HasSubstr("1 to 50"));
+  EXPECT_THAT(film({"--movie", "a.mp4", "--fps", "0"}), HasSubstr("--fps"));
+  EXPECT_THAT(film({"--fps", "30"}), HasSubstr("--movie"));
+  EXPECT_THAT(film({"--movie", "a.mp4", "--out", "%d.png"}), HasSubstr("use one"));
+  EXPECT_THAT(film({"--movie", "a.mp4", "--size", "16384x16384"}), HasSubstr("too large"));
+  EXPECT_THAT(film({"--movie", "a.mp4", "--steps", "3"}), HasSubstr("0 frames"));
+}
+
+TEST_F(CliGraphics, AGridIsHandedOver) {
+  give_module();
+  EXPECT_THAT(
+      pupflow({"render", "cold", "--grid", "ta=0.2:0.8:3", "--steps", "9", "--threads", "2"}).out,
+      AllOf(StartsWith("sheet seed=1 steps=9 panel=560 threads=2 camera=orbit:30,35 bar=1 "
+                       "ta 0.2 0.5 0.8\n"),
+            HasSubstr("out=grid.png")));
+  EXPECT_THAT(pupflow({"render", "--grid", "seed=3..5", "--grid", "contact=nearest,sum", "--panel",
+                       "200", "--no-bar", "--camera", "top", "--out", "a.png"})
+                  .out,
+              AllOf(HasSubstr("panel=200"), HasSubstr("camera=top bar=0 seed 3 4 5 contact 0 2\n"),
+                    HasSubstr("out=a.png")));
+}
+
+TEST_F(CliGraphics, LikeGivesAGridBack) {
+  give_module();
+  const io::TextEntries extra{{"picture", "grid"}, {"grid", "ta=0.2,0.5 seed=4,5"},
+                              {"panel", "300"},    {"bar", "false"},
+                              {"camera", "top"},   {"color_by", "tb"},
+                              {"scale", "0,1"}};
+  io::write_png(scratch_.path("g.png"), io::Image(4, 4), io::provenance(Params{}, extra), false);
+  EXPECT_THAT(pupflow({"render", "--like", "g.png", "--threads", "1"}).out,
+              StartsWith("sheet seed=1 steps=1500 panel=300 threads=1 camera=top bar=0 ta 0.2 0.5 "
+                         "seed 4 5\n"));
+  EXPECT_THAT(pupflow({"render", "--like", "g.png", "--grid", "pups=1..3", "--panel", "200"}).out,
+              AllOf(HasSubstr("panel=200"), HasSubstr("bar=0 pups 1 2 3\n")));
+}
+
+TEST_F(CliGraphics, RefusesGridsThatCannotBe) {
+  give_module();
+  const auto grid = [&](const std::string& text, std::vector<std::string> options = {}) {
+    options.insert(options.begin(), {"render", "--grid", text});
+    return refused(options);
+  };
+  EXPECT_THAT(grid("warmth=1,2"), HasSubstr("warmth"));
+  EXPECT_THAT(grid("ta"), StartsWith("pupflow: --grid 'ta'"));
+  EXPECT_THAT(grid("ta=a,b"), HasSubstr("--grid"));
+  EXPECT_THAT(grid("seed=6..1"), HasSubstr("the smaller first"));
+  EXPECT_THAT(grid("seed=1..1000000000000"), HasSubstr("at most 100 panels"));
+  EXPECT_THAT(grid("ta=0:1:11", {"--grid", "beta=0:1:10"}), HasSubstr("at most 100 panels"));
+  EXPECT_THAT(grid("ta=0,1", {"--grid", "ta=0.5,0.6"}), HasSubstr("twice"));
+  EXPECT_THAT(grid("ta=0,1", {"--grid", "beta=0,1", "--grid", "seed=1,2"}), HasSubstr("not 3"));
+  EXPECT_THAT(grid("ta=0,1", {"--set", "ta=0.5"}), HasSubstr("its own ta"));
+  EXPECT_THAT(grid("ta=0,1", {"--movie", "a.mp4"}), HasSubstr("--movie"));
+  EXPECT_THAT(grid("ta=0,1", {"--size", "64x64"}), HasSubstr("--size"));
+  EXPECT_THAT(grid("ta=0,1", {"--at", "5"}), HasSubstr("--steps"));
+  EXPECT_THAT(grid("ta=0,1", {"--out", "%d.png"}), HasSubstr("without %"));
+  EXPECT_THAT(refused({"render", "--panel", "200"}), HasSubstr("--grid"));
 }
 
 TEST_F(CliGraphics, RenderRefusesBadOptions) {

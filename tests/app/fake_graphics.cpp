@@ -16,6 +16,7 @@ using pictures::Figure1Job;
 using pictures::Look;
 using pictures::Output;
 using pictures::RenderJob;
+using pictures::SheetJob;
 using window::LiveJob;
 
 void print_look(const Look& look, const Output& output) {
@@ -39,6 +40,19 @@ class FakeGraphics : public Graphics {
     const Eigen::Vector3d& target = job.camera.target();
     if (job.camera.targeted()) std::printf(" target=%g,%g,%g", target.x(), target.y(), target.z());
     if (job.follow) std::printf(" follow=%d", *job.follow);
+    if (job.fps != 0) std::printf(" fps=%d", job.fps);
+    std::printf("\n");
+    print_look(job.look, job.output);
+  }
+
+  void sheet(const SheetJob& job) override {
+    std::printf("sheet seed=%lld steps=%lld panel=%d threads=%d camera=%s bar=%d",
+                static_cast<long long>(job.params.seed), static_cast<long long>(job.params.steps),
+                job.panel, job.threads, job.camera.spec().c_str(), job.bar);
+    for (const pictures::Axis& axis : job.axes) {
+      std::printf(" %s", axis.parameter.c_str());
+      for (const double value : axis.values) std::printf(" %g", value);
+    }
     std::printf("\n");
     print_look(job.look, job.output);
   }

@@ -218,5 +218,13 @@ TEST(Ticks, AreRoundAndWithinTheScale) {
   EXPECT_THAT(round_ticks(1, 2, 5, 1), near({1, 2}));
 }
 
+TEST(ColorScale, TheFieldsOwnRangeIsItsHoweverItWasNamed) {
+  ColorScale scale;
+  scale.set_range(0, 2);
+  EXPECT_EQ(scale.ends, Ends::typed);
+  scale.set_range(0, 1);
+  EXPECT_EQ(scale.ends, Ends::field);
+}
+
 }  // namespace
 }  // namespace pupflow::view

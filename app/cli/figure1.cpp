@@ -23,7 +23,8 @@ struct Options {
 
 std::vector<double> panels(const std::string& text, const Params& params) {
   constexpr std::size_t kMostPanels = 12;
-  std::vector<double> ta = parse_numbers("--ta", text);
+  std::vector<double> ta =
+      parse_numbers("--ta", text, "temperatures joined by commas, e.g. 0.2,0.5,0.8");
   if (ta.size() > kMostPanels) {
     throw Failure(ExitCode::bad_input, "--ta " + text + ": at most 12 panels fit a figure");
   }

@@ -20,10 +20,10 @@ void take_scale(const std::string& text, view::ColorScale& scale) {
   if (name != view::kEndsNames.end() && !text.empty()) {
     return scale.set_ends(static_cast<view::Ends>(name - view::kEndsNames.begin()));
   }
-  const std::vector<double> ends = parse_numbers("--scale", text);
+  const std::string right = "auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1";
+  const std::vector<double> ends = parse_numbers("--scale", text, right);
   if (ends.size() != 2 || !(ends[0] < ends[1])) {
-    io::refuse("--scale " + text +
-               ": must be auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1");
+    io::refuse("--scale " + io::quoted(text) + ": must be " + right);
   }
   scale.set_range(ends[0], ends[1]);
 }

@@ -129,11 +129,11 @@ view::Camera camera_of(const Options& options) {
   view::Camera camera = view::Camera::parse(options.camera);
   if (options.target.empty()) return camera;
   if (options.follow) io::refuse("--target and --follow both say what is in the middle; use one");
-  const std::vector<double> place = parse_numbers("--target", options.target);
+  const std::string right = "X,Y,Z in arena units, each within +-1e6, e.g. 0.5,0,0.3";
+  const std::vector<double> place = parse_numbers("--target", options.target, right);
   const auto far = [](double number) { return std::abs(number) > kFurthestTarget; };
   if (place.size() != 3 || std::ranges::any_of(place, far)) {
-    io::refuse("--target " + options.target +
-               ": must be X,Y,Z in arena units, each within +-1e6, e.g. 0.5,0,0.3");
+    io::refuse("--target " + io::quoted(options.target) + ": must be " + right);
   }
   camera.look_at({place[0], place[1], place[2]});
   return camera;

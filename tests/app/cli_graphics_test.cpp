@@ -263,7 +263,11 @@ TEST_F(CliGraphics, RenderRefusesBadOptions) {
   EXPECT_THAT(refused({"figure1", "--overlay", "trail"}), HasSubstr("did you mean 'trails'?"));
   EXPECT_THAT(refused({"render", "--scale", "around-tp", "--color-by", "speed"}),
               HasSubstr("no temperature"));
-  refused({"render", "--scale", "automatic"});
+  for (const char* scale : {"automatic", "0,nan", "1,0", "0,1,2"}) {
+    EXPECT_THAT(refused({"figure1", "--scale", scale}),
+                HasSubstr("must be auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1"));
+  }
+  EXPECT_THAT(refused({"render", "--target", "here"}), HasSubstr("X,Y,Z in arena units"));
   refused({"render", "--trail", "0"});
   refused({"render", "--dpi", "0"});
   refused({"render", "--target", "1,2"});

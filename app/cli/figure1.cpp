@@ -73,7 +73,7 @@ Verb add_figure1(CLI::App& program) {
                       " to " + std::to_string(pictures::kLargestPanel) + " (default " +
                       std::to_string(options->panel) + ")")
       ->option_text("N")
-      ->check(CLI::Range(pictures::kSmallestPanel, pictures::kLargestPanel));
+      ->check(between(pictures::kSmallestPanel, pictures::kLargestPanel));
   add_look(*app, options->look, false);
   add_picture_look(*app, options->look);
   return {app, [options] { work(*options); }};

@@ -100,7 +100,7 @@ void add_look(CLI::App& verb, LookOptions& options, bool automatic) {
                   "N x N samples for each pixel, 1 to " + std::to_string(pictures::kMostSamples) +
                       " (default: those of the quality)")
       ->option_text("N")
-      ->check(CLI::Range(1, pictures::kMostSamples));
+      ->check(between(1, pictures::kMostSamples));
   verb.add_option("--shader-dir", options.shader_dir,
                   "Read the shaders from this folder instead of the built-in ones")
       ->option_text("FOLDER");
@@ -121,12 +121,12 @@ void add_picture_look(CLI::App& verb, LookOptions& options) {
                   "Length of trails in seconds of the model (default " +
                       io::number_text(options.trail) + ")")
       ->option_text("S")
-      ->check(CLI::Range(0.01, pictures::kLongestTrail));
+      ->check(between(0.01, pictures::kLongestTrail));
   verb.add_flag("--caption", options.caption, "Write into the picture what it shows");
   verb.add_flag("--transparent", options.transparent, "Leave out the paper behind the scene");
   verb.add_option("--dpi", options.dpi, "Dots per inch that the file names")
       ->option_text("N")
-      ->check(CLI::Range(1, pictures::kMostDpi));
+      ->check(between(1, pictures::kMostDpi));
 }
 
 const std::string* find_entry(const io::TextEntries& entries, std::string_view key) {

@@ -1,6 +1,7 @@
 // pupflow render: headless PNG frames of one scene, a film of it, or a sheet of several.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -229,7 +230,7 @@ Verb add_render(CLI::App& program) {
                   "A frame after steps N, 2N, ... up to --steps. With neither: the last step; in a "
                   "film as many as make a second of it a second of the model")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
   add_from(*app, options->from);
   app->add_option("--movie", options->movie,
                   "Write a film in place of pictures, " + io::movie_endings() +
@@ -240,7 +241,7 @@ Verb add_render(CLI::App& program) {
                   "Frames a second of the film, 1 to " + std::to_string(io::kMostFps) +
                       ", of a GIF to 50 (default " + std::to_string(kUsualFps) + ")")
       ->option_text("N")
-      ->check(CLI::Range(1, io::kMostFps));
+      ->check(between(1, io::kMostFps));
   app->add_option(
          "--grid", options->grid,
          "Panels of one picture: a parameter's values, name=a,b,c, name=from:to:count or "
@@ -257,7 +258,7 @@ Verb add_render(CLI::App& program) {
                       std::to_string(pictures::kLargestPanel) + " (default " +
                       std::to_string(options->panel) + ")")
       ->option_text("N")
-      ->check(CLI::Range(pictures::kSmallestPanel, pictures::kLargestPanel));
+      ->check(between(pictures::kSmallestPanel, pictures::kLargestPanel));
   app->add_option("--size", options->size, "Pixels (default " + options->size + ")")
       ->option_text("WxH");
   app->add_option("--camera", options->camera,
@@ -272,7 +273,8 @@ Verb add_render(CLI::App& program) {
       ->option_text("X,Y,Z")
       ->check(not_empty);
   app->add_option("--follow", options->follow, "Keep this pup in the middle of the picture")
-      ->option_text("PUP");
+      ->option_text("PUP")
+      ->check(between(0, std::numeric_limits<int>::max()));
   app->add_flag("--no-bar", options->no_bar, "Leave out the legend of the colors");
   add_look(*app, options->look, true);
   add_picture_look(*app, options->look);

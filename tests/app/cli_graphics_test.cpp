@@ -268,8 +268,13 @@ TEST_F(CliGraphics, RenderRefusesBadOptions) {
                 HasSubstr("must be auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1"));
   }
   EXPECT_THAT(refused({"render", "--target", "here"}), HasSubstr("X,Y,Z in arena units"));
-  refused({"render", "--trail", "0"});
-  refused({"render", "--dpi", "0"});
+  for (const char* trail : {"0", "nan", "inf", "", "long"}) {
+    EXPECT_THAT(refused({"render", "--trail", trail}),
+                HasSubstr("must be a number from 0.01 to 1000"));
+  }
+  EXPECT_THAT(refused({"render", "--dpi", "1.5"}), HasSubstr("a whole number from 1 to 4800"));
+  EXPECT_THAT(refused({"render", "--follow", ""}), HasSubstr("a whole number from 0"));
+  EXPECT_THAT(refused({"live", "--ui-scale", "nan"}), HasSubstr("a number from 0.5 to 4"));
   refused({"render", "--target", "1,2"});
   refused({"render", "--target", "1,2,1e9"});
   refused({"render", "--target", "1,2,3", "--follow", "1"});

@@ -76,10 +76,12 @@ std::vector<std::int64_t> frame_steps(const Options& options, const std::string&
   if (every == 0) return {params.steps};
   const std::int64_t count = params.steps / every - begin / every;
   if (count <= 0 || count > kMostFrames) {
-    throw Failure(ExitCode::bad_input, "--every " + std::to_string(every) + ": gives " +
-                                           std::to_string(std::max<std::int64_t>(count, 0)) +
-                                           " frames over " + std::to_string(params.steps - begin) +
-                                           " steps; must be 1 to " + std::to_string(kMostFrames));
+    const bool typed = options.every != 0;
+    io::refuse((typed ? "--every " : "--movie " + options.movie + ": a frame every ") +
+               std::to_string(every) + (typed ? ": gives " : " steps gives ") +
+               std::to_string(std::max<std::int64_t>(count, 0)) + " frames over " +
+               std::to_string(params.steps - begin) + " steps; must be 1 to " +
+               std::to_string(kMostFrames) + (typed ? "" : "; see --every and --steps"));
   }
   std::vector<std::int64_t> steps;
   for (std::int64_t i = 1; i <= count; ++i) steps.push_back((begin / every + i) * every);

@@ -7,6 +7,7 @@
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
+#include "app/io/frame_path.h"
 
 namespace pupflow::cli {
 namespace {
@@ -49,6 +50,10 @@ void work(const Options& options) {
   job.threads = thread_count(options.common);
   job.look = look_of(options.look);
   job.output = {options.common.out, options.common.force, options.common.quiet};
+  check_picture_name("--out", job.output.path);
+  if (io::has_number(job.output.path)) {
+    io::refuse("--out " + job.output.path + ": the figure is one picture; name it without %");
+  }
   io::refuse_existing(job.output.path, job.output.force);
   load_graphics().figure1(job);
 }

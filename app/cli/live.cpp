@@ -34,6 +34,7 @@ void work(const Options& options) {
   job.paused = options.paused;
   job.threads = thread_count(options.common);
   job.screenshot = options.common.out;
+  check_picture_name("--screenshots", job.screenshot);
   if (!job.screenshot.empty())
     io::refuse_existing(io::frame_path(job.screenshot, 0), true);  // as far as it is known now
   job.test_events = options.test_events;

@@ -163,6 +163,12 @@ void take_look(const CLI::App& verb, const io::TextEntries& picture, LookOptions
   take("dpi", "--dpi", options.dpi);
 }
 
+void check_picture_name(const std::string& option, const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending.empty() || ending == ".png" || ending == ".PNG") return;
+  io::refuse(option + " " + io::quoted(path) + ": pictures are PNG; the name must end in .png");
+}
+
 pictures::Look look_of(const LookOptions& options) {
   std::error_code unreadable;
   if (!options.shader_dir.empty() &&

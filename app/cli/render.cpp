@@ -147,6 +147,7 @@ void take_output(const CLI::App& verb, const Options& options, pictures::RenderJ
   job.output = {options.common.out, options.common.force, options.common.quiet};
   if (options.movie.empty()) {
     if (options.fps) io::refuse("--fps: is for films; use it with --movie FILE");
+    check_picture_name("--out", job.output.path);
     return check_pattern(job.output.path, job.at.size());
   }
   if (verb.count("--out") > 0) {
@@ -184,6 +185,7 @@ void draw_sheet(const CLI::App& verb, const Options& options, const io::Settings
   job.look = look_of(options.look);
   job.output = {verb.count("--out") > 0 ? options.common.out : kUsualSheet, options.common.force,
                 options.common.quiet};
+  check_picture_name("--out", job.output.path);
   if (io::has_number(job.output.path)) {
     io::refuse("--out " + job.output.path + ": a sheet is one picture; name it without %");
   }

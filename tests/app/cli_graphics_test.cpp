@@ -291,6 +291,12 @@ TEST_F(CliGraphics, RenderRefusesBadOptions) {
   EXPECT_THAT(refused({"figure1", "--set", "ta=0.2"}), HasSubstr("use --ta 0.2"));
   refused({"live", "--size", "big"});
   refused({"live", "--screenshots", "%x.png"});
+  EXPECT_EQ(refused({"render", "--out", "a.mp4"}),
+            "pupflow: --out 'a.mp4': pictures are PNG; the name must end in .png\n");
+  EXPECT_THAT(refused({"render", "--grid", "ta=0,1", "--out", "a.jpg"}), HasSubstr("in .png"));
+  EXPECT_THAT(refused({"figure1", "--out", "a.pdf"}), HasSubstr("in .png"));
+  EXPECT_THAT(refused({"figure1", "--out", "%d.png"}), HasSubstr("without %"));
+  EXPECT_THAT(refused({"live", "--out", "a.jpg"}), HasSubstr("in .png"));
 }
 
 TEST_F(CliGraphics, Figure1HandsOverItsJob) {

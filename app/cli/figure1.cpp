@@ -8,6 +8,8 @@
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/io/frame_path.h"
+#include "app/io/params_of_file.h"
+#include "app/io/text.h"
 
 namespace pupflow::cli {
 namespace {
@@ -37,7 +39,24 @@ std::vector<double> panels(const std::string& text, const Params& params) {
   return ta;
 }
 
-void work(const Options& options) {
+/// Takes what was not typed from the figure of --like: its look, its panels.
+void take_figure(const CLI::App& verb, Options& options) {
+  const std::string& like = options.common.settings.like;
+  if (like.empty()) return;
+  const io::TextEntries figure = io::entries_of_file(like);
+  const std::string* picture = find_entry(figure, "picture");
+  if (picture == nullptr || *picture != "figure1") return;
+  take_look(verb, figure, options.look);
+  const std::string* ta = find_entry(figure, "panels_ta");
+  if (ta != nullptr && verb.count("--ta") == 0) options.ta = *ta;
+  const std::string* panel = find_entry(figure, "panel");
+  if (panel != nullptr && verb.count("--panel") == 0) {
+    options.panel = io::read_number<int>(*panel).value_or(options.panel);
+  }
+}
+
+void work(const CLI::App& verb, Options options) {
+  take_figure(verb, options);
   for (const std::string& set : options.common.settings.sets) {
     if (!set.starts_with("ta=")) continue;
     throw Failure(ExitCode::bad_input,
@@ -81,7 +100,7 @@ Verb add_figure1(CLI::App& program) {
       ->check(between(pictures::kSmallestPanel, pictures::kLargestPanel));
   add_look(*app, options->look, false);
   add_picture_look(*app, options->look);
-  return {app, [options] { work(*options); }};
+  return {app, [options, app] { work(*app, *options); }};
 }
 
 }  // namespace pupflow::cli

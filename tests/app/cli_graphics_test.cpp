@@ -312,6 +312,23 @@ TEST_F(CliGraphics, Figure1HandsOverItsJob) {
   EXPECT_EQ(pupflow({"figure1", "--out", "f.png"}).code, 4);
 }
 
+TEST_F(CliGraphics, LikeAFigure1GivesItBack) {
+  give_module();
+  Params params;
+  params.seed = 7;
+  const io::TextEntries extra{{"picture", "figure1"}, {"panels_ta", "0.3,0.4"}, {"panel", "130"},
+                              {"color_by", "tb"},     {"scale", "0.1,0.4"},     {"draw", "points"}};
+  io::write_png(scratch_.path("f.png"), io::Image(2, 2), io::provenance(params, extra), false);
+  EXPECT_THAT(pupflow({"figure1", "--like", "f.png", "--threads", "1"}).out,
+              AllOf(StartsWith("figure1 seed=7 panel=130 threads=1 ta 0.3 0.4\n"),
+                    HasSubstr("0.1..0.4 "), HasSubstr("draw=points ")));
+  EXPECT_THAT(pupflow({"figure1", "--like", "f.png", "--threads", "1", "--ta", "0.5", "--panel",
+                       "200", "--draw", "skin"})
+                  .out,
+              AllOf(StartsWith("figure1 seed=7 panel=200 threads=1 ta 0.5\n"),
+                    HasSubstr("0.1..0.4 "), HasSubstr("draw=skin ")));
+}
+
 TEST_F(CliGraphics, LiveHandsOverItsJobAndItsFailure) {
   give_module();
   const Outcome outcome = pupflow({"live", "--size", "800x600", "--ui-scale", "1.5", "--paused",

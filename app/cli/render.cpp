@@ -162,7 +162,9 @@ void take_output(const CLI::App& verb, const Options& options, pictures::RenderJ
 void draw_sheet(const CLI::App& verb, const Options& options, const io::Settings& settings,
                 const std::string& frames) {
   for (const char* option : {"--movie", "--fps", "--from", "--every", "--size", "--follow"}) {
-    if (verb.count(option) > 0) io::refuse(std::string(option) + ": does not go with --grid");
+    if (verb.count(option) == 0) continue;
+    io::refuse(std::string(option) + ": does not go with " +
+               (verb.count("--grid") > 0 ? "--grid" : "the panels of --like"));
   }
   if (!frames.empty()) {
     io::refuse("--at " + frames + ": panels show the last step; use --steps");

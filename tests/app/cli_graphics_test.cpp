@@ -229,6 +229,8 @@ TEST_F(CliGraphics, LikeGivesAGridBack) {
                          "seed 4 5\n"));
   EXPECT_THAT(pupflow({"render", "--like", "g.png", "--grid", "pups=1..3", "--panel", "200"}).out,
               AllOf(HasSubstr("panel=200"), HasSubstr("bar=0 pups 1 2 3\n")));
+  EXPECT_EQ(refused({"render", "--like", "g.png", "--size", "64x64"}),
+            "pupflow: --size: does not go with the panels of --like\n");
 }
 
 TEST_F(CliGraphics, RefusesGridsThatCannotBe) {

@@ -272,6 +272,7 @@ TEST_F(CliGraphics, RenderRefusesBadOptions) {
     EXPECT_THAT(refused({"figure1", "--scale", scale}),
                 HasSubstr("must be auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1"));
   }
+  EXPECT_THAT(refused({"render", "--scale", "-1e308,1e308"}), HasSubstr("too far apart"));
   EXPECT_THAT(refused({"render", "--target", "here"}), HasSubstr("X,Y,Z in arena units"));
   for (const char* trail : {"0", "nan", "inf", "", "long"}) {
     EXPECT_THAT(refused({"render", "--trail", trail}),

@@ -44,14 +44,14 @@ void add_common(CLI::App& verb, Common& common, const CommonHelp& help) {
   verb.add_option("--row", settings.row,
                   "With --like runs.csv: the run of this row; 1 is the first")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
   verb.add_option("--seed", settings.seed, "Short for --set seed=N")->option_text("N");
   verb.add_option("--steps", settings.steps, "Short for --set steps=N")->option_text("N");
   verb.add_option("--precision", settings.precision, "Short for --set precision=...")
       ->option_text("float|double");
   verb.add_option("--threads", common.threads, help.threads)
       ->option_text("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(between(1, 1024));
   verb.add_option(help.out_names, common.out, help.out)->option_text("FILE")->check(not_empty);
   verb.add_flag("--force", common.force, "Replace output files that exist");
   verb.add_flag("--quiet", common.quiet, help.quiet);

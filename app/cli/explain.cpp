@@ -188,7 +188,7 @@ Verb add_explain(CLI::App& program) {
          "Run N steps before measuring, since the time of contacts depends on what touches "
          "(default 300)")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{0}, std::int64_t{1} << 53));
   app->add_flag("--measure", options->measure,
                 "Also force in each part that the scene leaves out, and show the time that leaving "
                 "it out saves and that no bit of the results differs");

@@ -66,7 +66,7 @@ Verb add_export(CLI::App& program) {
       ->check(not_empty);
   app->add_option("--pup", request.pup, "One pup instead of all")
       ->option_text("N")
-      ->check(CLI::Range(0, 1 << 30));
+      ->check(between(0, 1 << 30));
   app->add_flag("--sheet", request.sheet,
                 "Afferents as square images of the skin, as the recording's skin/sheet has them");
   app->add_option("--scale", options->scale,

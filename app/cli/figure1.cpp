@@ -7,6 +7,9 @@
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
+#include "app/io/frame_path.h"
+#include "app/io/params_of_file.h"
+#include "app/io/text.h"
 
 namespace pupflow::cli {
 namespace {
@@ -23,7 +26,8 @@ struct Options {
 
 std::vector<double> panels(const std::string& text, const Params& params) {
   constexpr std::size_t kMostPanels = 12;
-  std::vector<double> ta = parse_numbers("--ta", text);
+  std::vector<double> ta =
+      parse_numbers("--ta", text, "temperatures joined by commas, e.g. 0.2,0.5,0.8");
   if (ta.size() > kMostPanels) {
     throw Failure(ExitCode::bad_input, "--ta " + text + ": at most 12 panels fit a figure");
   }
@@ -35,7 +39,24 @@ std::vector<double> panels(const std::string& text, const Params& params) {
   return ta;
 }
 
-void work(const Options& options) {
+/// Takes what was not typed from the figure of --like: its look, its panels.
+void take_figure(const CLI::App& verb, Options& options) {
+  const std::string& like = options.common.settings.like;
+  if (like.empty()) return;
+  const io::TextEntries figure = io::entries_of_file(like);
+  const std::string* picture = find_entry(figure, "picture");
+  if (picture == nullptr || *picture != "figure1") return;
+  take_look(verb, figure, options.look);
+  const std::string* ta = find_entry(figure, "panels_ta");
+  if (ta != nullptr && verb.count("--ta") == 0) options.ta = *ta;
+  const std::string* panel = find_entry(figure, "panel");
+  if (panel != nullptr && verb.count("--panel") == 0) {
+    options.panel = io::read_number<int>(*panel).value_or(options.panel);
+  }
+}
+
+void work(const CLI::App& verb, Options options) {
+  take_figure(verb, options);
   for (const std::string& set : options.common.settings.sets) {
     if (!set.starts_with("ta=")) continue;
     throw Failure(ExitCode::bad_input,
@@ -48,6 +69,10 @@ void work(const Options& options) {
   job.threads = thread_count(options.common);
   job.look = look_of(options.look);
   job.output = {options.common.out, options.common.force, options.common.quiet};
+  check_picture_name("--out", job.output.path);
+  if (io::has_number(job.output.path)) {
+    io::refuse("--out " + job.output.path + ": the figure is one picture; name it without %");
+  }
   io::refuse_existing(job.output.path, job.output.force);
   load_graphics().figure1(job);
 }
@@ -72,10 +97,10 @@ Verb add_figure1(CLI::App& program) {
                       " to " + std::to_string(pictures::kLargestPanel) + " (default " +
                       std::to_string(options->panel) + ")")
       ->option_text("N")
-      ->check(CLI::Range(pictures::kSmallestPanel, pictures::kLargestPanel));
+      ->check(between(pictures::kSmallestPanel, pictures::kLargestPanel));
   add_look(*app, options->look, false);
   add_picture_look(*app, options->look);
-  return {app, [options] { work(*options); }};
+  return {app, [options, app] { work(*app, *options); }};
 }
 
 }  // namespace pupflow::cli

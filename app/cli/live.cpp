@@ -34,6 +34,7 @@ void work(const Options& options) {
   job.paused = options.paused;
   job.threads = thread_count(options.common);
   job.screenshot = options.common.out;
+  check_picture_name("--screenshots", job.screenshot);
   if (!job.screenshot.empty())
     io::refuse_existing(io::frame_path(job.screenshot, 0), true);  // as far as it is known now
   job.test_events = options.test_events;
@@ -58,12 +59,12 @@ Verb add_live(CLI::App& program) {
   app->add_option("--ui-scale", options->ui_scale,
                   "Size of text and widgets, 0.5 to 4 (default: the display's)")
       ->option_text("X")
-      ->check(CLI::Range(0.5, 4.0));
+      ->check(between(0.5, 4.0));
   add_from(*app, options->from);
   app->add_flag("--paused", options->paused, "Start paused");
   app->add_option("--exit-after", options->exit_after, "Close the window after so many seconds")
       ->option_text("S")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(between(0.0, 1e6));
   app->add_flag("--test-events", options->test_events)->group("");
   add_look(*app, options->look, true);
   return {app, [options] { work(*options); }};

@@ -20,10 +20,10 @@ void take_scale(const std::string& text, view::ColorScale& scale) {
   if (name != view::kEndsNames.end() && !text.empty()) {
     return scale.set_ends(static_cast<view::Ends>(name - view::kEndsNames.begin()));
   }
-  const std::vector<double> ends = parse_numbers("--scale", text);
+  const std::string right = "auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1";
+  const std::vector<double> ends = parse_numbers("--scale", text, right);
   if (ends.size() != 2 || !(ends[0] < ends[1])) {
-    io::refuse("--scale " + text +
-               ": must be auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1");
+    io::refuse("--scale " + io::quoted(text) + ": must be " + right);
   }
   scale.set_range(ends[0], ends[1]);
 }
@@ -100,7 +100,7 @@ void add_look(CLI::App& verb, LookOptions& options, bool automatic) {
                   "N x N samples for each pixel, 1 to " + std::to_string(pictures::kMostSamples) +
                       " (default: those of the quality)")
       ->option_text("N")
-      ->check(CLI::Range(1, pictures::kMostSamples));
+      ->check(between(1, pictures::kMostSamples));
   verb.add_option("--shader-dir", options.shader_dir,
                   "Read the shaders from this folder instead of the built-in ones")
       ->option_text("FOLDER");
@@ -121,12 +121,12 @@ void add_picture_look(CLI::App& verb, LookOptions& options) {
                   "Length of trails in seconds of the model (default " +
                       io::number_text(options.trail) + ")")
       ->option_text("S")
-      ->check(CLI::Range(0.01, pictures::kLongestTrail));
+      ->check(between(0.01, pictures::kLongestTrail));
   verb.add_flag("--caption", options.caption, "Write into the picture what it shows");
   verb.add_flag("--transparent", options.transparent, "Leave out the paper behind the scene");
   verb.add_option("--dpi", options.dpi, "Dots per inch that the file names")
       ->option_text("N")
-      ->check(CLI::Range(1, pictures::kMostDpi));
+      ->check(between(1, pictures::kMostDpi));
 }
 
 const std::string* find_entry(const io::TextEntries& entries, std::string_view key) {
@@ -161,6 +161,12 @@ void take_look(const CLI::App& verb, const io::TextEntries& picture, LookOptions
   take("caption", "--caption", options.caption);
   take("transparent", "--transparent", options.transparent);
   take("dpi", "--dpi", options.dpi);
+}
+
+void check_picture_name(const std::string& option, const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending.empty() || ending == ".png" || ending == ".PNG") return;
+  io::refuse(option + " " + io::quoted(path) + ": pictures are PNG; the name must end in .png");
 }
 
 pictures::Look look_of(const LookOptions& options) {

@@ -35,6 +35,9 @@ void add_picture_look(CLI::App& verb, LookOptions& options);
 /// Takes what was not typed from the entries of a picture.
 void take_look(const CLI::App& verb, const io::TextEntries& picture, LookOptions& options);
 
+/// Refuses the name of a picture that ends as another kind of file does, e.g. a.jpg.
+void check_picture_name(const std::string& option, const std::string& path);
+
 /// Checks them. Throws Failure(bad_input).
 pictures::Look look_of(const LookOptions& options);
 

@@ -35,11 +35,12 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height);
 }
 
-std::vector<double> parse_numbers(const std::string& option, const std::string& text) {
+std::vector<double> parse_numbers(const std::string& option, const std::string& text,
+                                  const std::string& right) {
   std::vector<double> numbers;
   for (const std::string_view part : io::split(text, ',')) {
     const auto number = io::read_number<double>(part);
-    if (!number || !std::isfinite(*number)) fail(option, text, "numbers joined by commas");
+    if (!number || !std::isfinite(*number)) fail(option, text, right);
     numbers.push_back(*number);
   }
   return numbers;

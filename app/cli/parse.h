@@ -14,8 +14,9 @@ std::pair<int, int> parse_size(const std::string& option, const std::string& tex
 /// Width and height as they are typed.
 std::string size_text(int width, int height);
 
-/// Finite numbers joined by commas, at least one.
-std::vector<double> parse_numbers(const std::string& option, const std::string& text);
+/// Finite numbers joined by commas, at least one. The message says that the value must be `right`.
+std::vector<double> parse_numbers(const std::string& option, const std::string& text,
+                                  const std::string& right);
 
 /// Step numbers (whole, not negative) joined by commas; sorted, without repeats.
 std::vector<std::int64_t> parse_steps(const std::string& option, const std::string& text);

@@ -1,6 +1,7 @@
 // pupflow render: headless PNG frames of one scene, a film of it, or a sheet of several.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -75,10 +76,12 @@ std::vector<std::int64_t> frame_steps(const Options& options, const std::string&
   if (every == 0) return {params.steps};
   const std::int64_t count = params.steps / every - begin / every;
   if (count <= 0 || count > kMostFrames) {
-    throw Failure(ExitCode::bad_input, "--every " + std::to_string(every) + ": gives " +
-                                           std::to_string(std::max<std::int64_t>(count, 0)) +
-                                           " frames over " + std::to_string(params.steps - begin) +
-                                           " steps; must be 1 to " + std::to_string(kMostFrames));
+    const bool typed = options.every != 0;
+    io::refuse((typed ? "--every " : "--movie " + options.movie + ": a frame every ") +
+               std::to_string(every) + (typed ? ": gives " : " steps gives ") +
+               std::to_string(std::max<std::int64_t>(count, 0)) + " frames over " +
+               std::to_string(params.steps - begin) + " steps; must be 1 to " +
+               std::to_string(kMostFrames) + (typed ? "" : "; see --every and --steps"));
   }
   std::vector<std::int64_t> steps;
   for (std::int64_t i = 1; i <= count; ++i) steps.push_back((begin / every + i) * every);
@@ -129,11 +132,11 @@ view::Camera camera_of(const Options& options) {
   view::Camera camera = view::Camera::parse(options.camera);
   if (options.target.empty()) return camera;
   if (options.follow) io::refuse("--target and --follow both say what is in the middle; use one");
-  const std::vector<double> place = parse_numbers("--target", options.target);
+  const std::string right = "X,Y,Z in arena units, each within +-1e6, e.g. 0.5,0,0.3";
+  const std::vector<double> place = parse_numbers("--target", options.target, right);
   const auto far = [](double number) { return std::abs(number) > kFurthestTarget; };
   if (place.size() != 3 || std::ranges::any_of(place, far)) {
-    io::refuse("--target " + options.target +
-               ": must be X,Y,Z in arena units, each within +-1e6, e.g. 0.5,0,0.3");
+    io::refuse("--target " + io::quoted(options.target) + ": must be " + right);
   }
   camera.look_at({place[0], place[1], place[2]});
   return camera;
@@ -144,6 +147,7 @@ void take_output(const CLI::App& verb, const Options& options, pictures::RenderJ
   job.output = {options.common.out, options.common.force, options.common.quiet};
   if (options.movie.empty()) {
     if (options.fps) io::refuse("--fps: is for films; use it with --movie FILE");
+    check_picture_name("--out", job.output.path);
     return check_pattern(job.output.path, job.at.size());
   }
   if (verb.count("--out") > 0) {
@@ -158,7 +162,9 @@ void take_output(const CLI::App& verb, const Options& options, pictures::RenderJ
 void draw_sheet(const CLI::App& verb, const Options& options, const io::Settings& settings,
                 const std::string& frames) {
   for (const char* option : {"--movie", "--fps", "--from", "--every", "--size", "--follow"}) {
-    if (verb.count(option) > 0) io::refuse(std::string(option) + ": does not go with --grid");
+    if (verb.count(option) == 0) continue;
+    io::refuse(std::string(option) + ": does not go with " +
+               (verb.count("--grid") > 0 ? "--grid" : "the panels of --like"));
   }
   if (!frames.empty()) {
     io::refuse("--at " + frames + ": panels show the last step; use --steps");
@@ -181,6 +187,7 @@ void draw_sheet(const CLI::App& verb, const Options& options, const io::Settings
   job.look = look_of(options.look);
   job.output = {verb.count("--out") > 0 ? options.common.out : kUsualSheet, options.common.force,
                 options.common.quiet};
+  check_picture_name("--out", job.output.path);
   if (io::has_number(job.output.path)) {
     io::refuse("--out " + job.output.path + ": a sheet is one picture; name it without %");
   }
@@ -229,7 +236,7 @@ Verb add_render(CLI::App& program) {
                   "A frame after steps N, 2N, ... up to --steps. With neither: the last step; in a "
                   "film as many as make a second of it a second of the model")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
   add_from(*app, options->from);
   app->add_option("--movie", options->movie,
                   "Write a film in place of pictures, " + io::movie_endings() +
@@ -240,7 +247,7 @@ Verb add_render(CLI::App& program) {
                   "Frames a second of the film, 1 to " + std::to_string(io::kMostFps) +
                       ", of a GIF to 50 (default " + std::to_string(kUsualFps) + ")")
       ->option_text("N")
-      ->check(CLI::Range(1, io::kMostFps));
+      ->check(between(1, io::kMostFps));
   app->add_option(
          "--grid", options->grid,
          "Panels of one picture: a parameter's values, name=a,b,c, name=from:to:count or "
@@ -257,7 +264,7 @@ Verb add_render(CLI::App& program) {
                       std::to_string(pictures::kLargestPanel) + " (default " +
                       std::to_string(options->panel) + ")")
       ->option_text("N")
-      ->check(CLI::Range(pictures::kSmallestPanel, pictures::kLargestPanel));
+      ->check(between(pictures::kSmallestPanel, pictures::kLargestPanel));
   app->add_option("--size", options->size, "Pixels (default " + options->size + ")")
       ->option_text("WxH");
   app->add_option("--camera", options->camera,
@@ -272,7 +279,8 @@ Verb add_render(CLI::App& program) {
       ->option_text("X,Y,Z")
       ->check(not_empty);
   app->add_option("--follow", options->follow, "Keep this pup in the middle of the picture")
-      ->option_text("PUP");
+      ->option_text("PUP")
+      ->check(between(0, std::numeric_limits<int>::max()));
   app->add_flag("--no-bar", options->no_bar, "Leave out the legend of the colors");
   add_look(*app, options->look, true);
   add_picture_look(*app, options->look);

@@ -150,7 +150,7 @@ Verb add_report(CLI::App& program) {
   app->add_option("--seeds", options->seeds,
                   "With 'error SCENE': runs of each setting (default 20, or 5 with --quick)")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{2}, std::int64_t{1000000}));
+      ->check(between(std::int64_t{2}, std::int64_t{1000000}));
   app->footer(
       "'report error SCENE' (or --set, --like) reports the error of that run, and how it changes\n"
       "with half or twice the time: the same seeds with other time steps, points, precision, run\n"

@@ -256,18 +256,18 @@ Verb add_run(CLI::App& program) {
       ->check(not_empty);
   app->add_option("--every", options->every, "Rows for steps N, 2N, ... only (default 1)")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
   app->add_option("--record", options->record,
                   "Write the litter's fields at chosen steps to an HDF5 file")
       ->option_text("FILE")
       ->check(not_empty);
   app->add_option("--record-every", options->record_every, "A frame every N steps (default 10)")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
   app->add_option("--record-from", options->record_from,
                   "Step of the first frame, 0 for the start (default: N of --record-every)")
       ->option_text("STEP")
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{0}, std::int64_t{1} << 53));
   app->add_option("--record-fields", options->record_fields,
                   "What a frame holds: pup, afferent, point (groups), or names of 'pupflow fields' "
                   "(default pup)")
@@ -280,7 +280,7 @@ Verb add_run(CLI::App& program) {
   app->add_option("--checkpoint-every", options->checkpoint_every,
                   "Write it every N steps, too, each in place of the one before")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
   add_from(*app, options->from);
   add_flow_lag(*app, options->common);
   app->add_flag("--overlap", options->overlap,

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/cli/sweep_work.h"
+#include "app/cli/verb.h"
 
 namespace pupflow::cli {
 
@@ -21,7 +22,7 @@ Verb add_sweep(CLI::App& program) {
                   "N points of a latin hypercube in place of a grid; ranges are name=from:to or\n"
                   "name=a,b,c")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{1}, study::kMostValues));
+      ->check(between(std::int64_t{1}, study::kMostValues));
   app->add_option(
          "--design", options->design,
          "The points are the rows of a CSV file whose header names parameters, in place of\n"

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/launcher.h"
+#include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/study/files.h"
@@ -85,7 +86,7 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
          "--seeds", options.seeds,
          "Runs at each point (default 10); more of them than the folder holds adds the new ones")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000}));
+      ->check(between(std::int64_t{1}, std::int64_t{1000000}));
   app.add_option(
          "--shard", options.shard,
          "Compute only every n-th run, from the i-th on; 'pupflow merge' joins all n shards")
@@ -96,7 +97,7 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
       "Also keep the time series of each run, series/P-S.csv for point P and its seed number S");
   app.add_option("--every", options.every, "Rows of the series for steps N, 2N, ... (default 1)")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53))
+      ->check(between(std::int64_t{1}, std::int64_t{1} << 53))
       ->needs(record);
   add_plot_script(app, options.plot_script);
   app.footer(

@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <type_traits>
 
 #include "app/io/settings.h"
+#include "app/io/text.h"
 
 namespace pupflow::cli {
 
@@ -54,6 +56,22 @@ struct CommonHelp {
 /// A check for options that name something: refuses an empty text, as an unset shell variable
 /// gives.
 std::string not_empty(const std::string& text);
+
+/// A check for options that are a number: refuses all but `least` ... `most`; whole numbers where
+/// these are. An empty text and nan are no numbers.
+template <class Number>
+auto between(Number least, Number most) {
+  return [least, most](const std::string& text) -> std::string {
+    const auto number = io::read_number<Number>(text);
+    if (number && *number >= least && *number <= most) return "";
+    const auto shown = [](Number limit) {
+      if constexpr (std::is_floating_point_v<Number>) return io::number_text(limit);
+      return std::to_string(limit);
+    };
+    return io::quoted(text) + " must be a " + (std::is_integral_v<Number> ? "whole " : "") +
+           "number from " + shown(least) + " to " + shown(most);
+  };
+}
 
 /// Declares the common options.
 void add_common(CLI::App& verb, Common& common, const CommonHelp& help);

@@ -52,10 +52,10 @@ Verb add_verify(CLI::App& program) {
       ->check(not_empty);
   app->add_option("--row", options->row, "Of a sweep's runs only this row; 1 is the first")
       ->option_text("N")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
   app->add_option("--threads", options->threads, "Threads (default: all cores)")
       ->option_text("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(between(1, 1024));
   app->add_flag("--quiet", options->quiet, "Print nothing; the exit code tells");
   app->footer(
       "Exit code 0 when every file is the same, 1 when one differs: the line says the first "

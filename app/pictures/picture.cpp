@@ -76,8 +76,8 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
   }
   const int gap = static_cast<int>(style_.text_size);
   const int strip = margins_.left + bar_width_ + margins_.right + gap;
-  // The legend steps aside where it would take more than half of the picture.
-  bar_ = bar && 2 * strip <= width;
+  // The legend steps aside where it would take more than half of the picture, or lose words.
+  bar_ = bar && 2 * strip <= width && view::color_bar_room(look.scale, style_, text_) <= height;
   scene_width_ = bar_ ? width - strip : width;
 }
 

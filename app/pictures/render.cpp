@@ -35,7 +35,7 @@ void check_job(const RenderJob& job) {
   }
   if (job.fps != 0) {
     io::check_movie(job.output.path, job.fps, job.width, job.height);
-    if (job.look.transparent) io::refuse("a film has no transparent paper");
+    if (job.look.transparent) io::refuse("--transparent: a film has no transparent paper");
     return;
   }
   if (job.at.size() > 1 && !io::has_number(job.output.path)) {

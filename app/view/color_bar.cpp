@@ -201,6 +201,17 @@ ColorBarMargins color_bar_margins(const ColorScale& scale, const ColorBarStyle& 
           static_cast<int>(std::lround(right * style.text_size))};
 }
 
+double color_bar_room(const ColorScale& scale, const ColorBarStyle& style, TextPainter& text) {
+  constexpr double kOfTicks = 8, kOfTitle = 13;  // of the text size
+  const double size = style.text_size;
+  if (!scale.categorical()) {
+    return std::max(kOfTicks * size, text.width(title_of(*scale.field), kTitle * size));
+  }
+  const std::size_t named = scale.field->categories.size();
+  const double swatches = named > 0 ? static_cast<double>(named) : kCategoryColors;
+  return size * std::max(kOfTitle, swatches / 0.75);
+}
+
 ColorBar lay_out_color_bar(const Box& bar, const ColorBarMargins& margins, const ColorScale& scale,
                            double tp, const ColorBarStyle& style) {
   ColorBar layout;

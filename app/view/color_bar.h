@@ -31,6 +31,10 @@ struct ColorBarMargins {
 };
 ColorBarMargins color_bar_margins(const ColorScale& scale, const ColorBarStyle& style);
 
+/// Pixels from top to bottom of the smallest picture whose legend shows all its words, if the bar
+/// takes three quarters of them. It does not depend on the data either.
+double color_bar_room(const ColorScale& scale, const ColorBarStyle& style, TextPainter& text);
+
 /// What a legend consists of, in pixels from the upper left corner, y downwards. All but the fills
 /// is drawn in ink, in this order.
 struct ColorBar {

@@ -122,6 +122,9 @@ void ColorScale::set_range(double low, double high) {
     fail("the color scale must go from a lower to a higher finite value, not from " +
          io::number_text(low) + " to " + io::number_text(high));
   }
+  if (!std::isfinite(high - low)) {
+    fail("the ends of the color scale are too far apart; they must differ by at most 1.7e308");
+  }
   min = low;
   max = high;
   // So that such a bar has one width, however its ends were named.

@@ -197,7 +197,10 @@ TEST_F(CliGraphics, RefusesFilmsThatCannotBe) {
   EXPECT_THAT(film({"--fps", "30"}), HasSubstr("--movie"));
   EXPECT_THAT(film({"--movie", "a.mp4", "--out", "%d.png"}), HasSubstr("use one"));
   EXPECT_THAT(film({"--movie", "a.mp4", "--size", "16384x16384"}), HasSubstr("too large"));
-  EXPECT_THAT(film({"--movie", "a.mp4", "--steps", "3"}), HasSubstr("0 frames"));
+  EXPECT_EQ(
+      film({"--movie", "a.mp4", "--steps", "3"}),
+      "pupflow: --movie a.mp4: a frame every 4 steps gives 0 frames over 3 steps; must be 1 to "
+      "1000000; see --every and --steps\n");
 }
 
 TEST_F(CliGraphics, AGridIsHandedOver) {
@@ -226,6 +229,8 @@ TEST_F(CliGraphics, LikeGivesAGridBack) {
                          "seed 4 5\n"));
   EXPECT_THAT(pupflow({"render", "--like", "g.png", "--grid", "pups=1..3", "--panel", "200"}).out,
               AllOf(HasSubstr("panel=200"), HasSubstr("bar=0 pups 1 2 3\n")));
+  EXPECT_EQ(refused({"render", "--like", "g.png", "--size", "64x64"}),
+            "pupflow: --size: does not go with the panels of --like\n");
 }
 
 TEST_F(CliGraphics, RefusesGridsThatCannotBe) {
@@ -263,9 +268,19 @@ TEST_F(CliGraphics, RenderRefusesBadOptions) {
   EXPECT_THAT(refused({"figure1", "--overlay", "trail"}), HasSubstr("did you mean 'trails'?"));
   EXPECT_THAT(refused({"render", "--scale", "around-tp", "--color-by", "speed"}),
               HasSubstr("no temperature"));
-  refused({"render", "--scale", "automatic"});
-  refused({"render", "--trail", "0"});
-  refused({"render", "--dpi", "0"});
+  for (const char* scale : {"automatic", "0,nan", "1,0", "0,1,2"}) {
+    EXPECT_THAT(refused({"figure1", "--scale", scale}),
+                HasSubstr("must be auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1"));
+  }
+  EXPECT_THAT(refused({"render", "--scale", "-1e308,1e308"}), HasSubstr("too far apart"));
+  EXPECT_THAT(refused({"render", "--target", "here"}), HasSubstr("X,Y,Z in arena units"));
+  for (const char* trail : {"0", "nan", "inf", "", "long"}) {
+    EXPECT_THAT(refused({"render", "--trail", trail}),
+                HasSubstr("must be a number from 0.01 to 1000"));
+  }
+  EXPECT_THAT(refused({"render", "--dpi", "1.5"}), HasSubstr("a whole number from 1 to 4800"));
+  EXPECT_THAT(refused({"render", "--follow", ""}), HasSubstr("a whole number from 0"));
+  EXPECT_THAT(refused({"live", "--ui-scale", "nan"}), HasSubstr("a number from 0.5 to 4"));
   refused({"render", "--target", "1,2"});
   refused({"render", "--target", "1,2,1e9"});
   refused({"render", "--target", "1,2,3", "--follow", "1"});
@@ -279,6 +294,12 @@ TEST_F(CliGraphics, RenderRefusesBadOptions) {
   EXPECT_THAT(refused({"figure1", "--set", "ta=0.2"}), HasSubstr("use --ta 0.2"));
   refused({"live", "--size", "big"});
   refused({"live", "--screenshots", "%x.png"});
+  EXPECT_EQ(refused({"render", "--out", "a.mp4"}),
+            "pupflow: --out 'a.mp4': pictures are PNG; the name must end in .png\n");
+  EXPECT_THAT(refused({"render", "--grid", "ta=0,1", "--out", "a.jpg"}), HasSubstr("in .png"));
+  EXPECT_THAT(refused({"figure1", "--out", "a.pdf"}), HasSubstr("in .png"));
+  EXPECT_THAT(refused({"figure1", "--out", "%d.png"}), HasSubstr("without %"));
+  EXPECT_THAT(refused({"live", "--out", "a.jpg"}), HasSubstr("in .png"));
 }
 
 TEST_F(CliGraphics, Figure1HandsOverItsJob) {
@@ -292,6 +313,23 @@ TEST_F(CliGraphics, Figure1HandsOverItsJob) {
                              HasSubstr("out=f.png")));
   scratch_.file("f.png", "precious");
   EXPECT_EQ(pupflow({"figure1", "--out", "f.png"}).code, 4);
+}
+
+TEST_F(CliGraphics, LikeAFigure1GivesItBack) {
+  give_module();
+  Params params;
+  params.seed = 7;
+  const io::TextEntries extra{{"picture", "figure1"}, {"panels_ta", "0.3,0.4"}, {"panel", "130"},
+                              {"color_by", "tb"},     {"scale", "0.1,0.4"},     {"draw", "points"}};
+  io::write_png(scratch_.path("f.png"), io::Image(2, 2), io::provenance(params, extra), false);
+  EXPECT_THAT(pupflow({"figure1", "--like", "f.png", "--threads", "1"}).out,
+              AllOf(StartsWith("figure1 seed=7 panel=130 threads=1 ta 0.3 0.4\n"),
+                    HasSubstr("0.1..0.4 "), HasSubstr("draw=points ")));
+  EXPECT_THAT(pupflow({"figure1", "--like", "f.png", "--threads", "1", "--ta", "0.5", "--panel",
+                       "200", "--draw", "skin"})
+                  .out,
+              AllOf(StartsWith("figure1 seed=7 panel=200 threads=1 ta 0.5\n"),
+                    HasSubstr("0.1..0.4 "), HasSubstr("draw=skin ")));
 }
 
 TEST_F(CliGraphics, LiveHandsOverItsJobAndItsFailure) {

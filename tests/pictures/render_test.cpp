@@ -12,6 +12,7 @@
 
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
+#include "app/io/named_field.h"
 #include "app/io/png.h"
 #include "app/io/provenance.h"
 #include "tests/pictures/gl_test.h"
@@ -237,6 +238,26 @@ TEST(Render, TheLegendStepsAsideWhereThePictureIsNarrow) {
   const io::Image image = io::read_png(folder.path("0000.png"));
   for (int y = 0; y < image.height; ++y) {
     EXPECT_EQ(color_at(image, image.width - 1, y), (view::Rgb{255, 255, 255})) << y;
+  }
+}
+
+TEST(Render, TheLegendStepsAsideWhereThePictureIsLow) {
+  const test::Scratch folder;
+  RenderJob job = small_job(folder);
+  job.at = {0};
+  job.output.force = true;
+  job.width = 300;
+  for (const int height : {32, 60, 100, 150, 200}) {
+    for (const char* field : {"tb", "group", "heading", "side"}) {
+      job.height = height;
+      job.look.scale = view::ColorScale(io::named_field(field, "field"));
+      render(job);
+      const io::Image image = io::read_png(folder.path("0000.png"));
+      for (int x = 225; x < image.width; ++x) {  // where no pup is: words that are cut off
+        EXPECT_EQ(color_at(image, x, 0), (view::Rgb{255, 255, 255})) << field << height << ' ' << x;
+        EXPECT_EQ(color_at(image, x, height - 1), (view::Rgb{255, 255, 255})) << field << height;
+      }
+    }
   }
 }
 

@@ -115,18 +115,18 @@ struct SidesFixture : ::testing::Test {
   SidesFixture()
       : rest(cube_sphere(7, 0.25)),
         cloud(make_cloud<double>(rest)),
-        state(make_state<double>(1, 294)) {
+        state(make_state<double>(2, 294)) {
     for (int i = 0; i < state.points; ++i) {
       state.x[i] = 1 + rest[i].x();
       state.y[i] = 2 + rest[i].y();
       state.z[i] = 3 + rest[i].z();
       if (rest[i].x() > 0.01) touch(i);
     }
-    state.tb[0] = 0.9;
+    state.tb[1] = 0.9;
   }
-  /// Lets point `i` touch pup 0.
+  /// Lets point `i` of pup 0 touch pup 1.
   void touch(int i) {
-    state.touched[i] = 0;
+    state.touched[i] = 1;
     state.touching_points[i / 64] |= std::uint64_t{1} << (i % 64);
   }
   /// Turns the body out of its rest orientation, about an axis of no symmetry.
@@ -185,13 +185,13 @@ TEST_F(SidesFixture, AboutItsOwnAxisTheFirstPointIsOnNoSide) {
 
 TEST_F(SidesFixture, TemperaturesMayAddUpToMoreThanADoubleHolds) {
   turn_body(0.4);  // so that no point lies on the dividing line
-  state.tb[0] = 1.5e308;
+  state.tb[1] = 1.5e308;
   params.ambient_temperature = -1.5e308;
   int touching = 0, right = 0;
   for (int i = 0; i < state.points; ++i) {
     if (state.x[i] <= 1) continue;
     ++right;
-    touching += state.touched[i] == 0 ? 1 : 0;
+    touching += state.touched[i] == 1 ? 1 : 0;
   }
   ASSERT_LT(touching, right);
   // The touching share of the right side's points goes 3e308 up from T_a.

@@ -9,7 +9,7 @@
 #include "app/pictures/look.h"
 #include "app/view/camera.h"
 #include "app/view/draw_list.h"
-#include "app/window/session.h"
+#include "app/window/session/session.h"
 
 namespace pupflow::window {
 

@@ -8,7 +8,7 @@
 
 #include "app/pictures/look.h"
 #include "app/window/key_map.h"
-#include "app/window/session.h"
+#include "app/window/session/session.h"
 
 namespace pupflow::window {
 

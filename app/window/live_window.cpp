@@ -11,7 +11,7 @@
 #include "app/gl/load.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
-#include "app/window/legend.h"
+#include "app/window/panels/legend.h"
 
 namespace pupflow::window {
 namespace {

@@ -9,9 +9,9 @@
 #include "app/window/controls.h"
 #include "app/window/gui.h"
 #include "app/window/live_job.h"
-#include "app/window/panels.h"
-#include "app/window/redraw_schedule.h"
-#include "app/window/runner.h"
+#include "app/window/panels/panels.h"
+#include "app/window/session/redraw_schedule.h"
+#include "app/window/session/runner.h"
 #include "app/window/test_events.h"
 
 namespace pupflow::window {

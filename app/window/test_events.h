@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "app/view/camera.h"
-#include "app/window/session.h"
+#include "app/window/session/session.h"
 
 namespace pupflow::window {
 

@@ -102,7 +102,7 @@ constexpr Case kForbidden[] = {
     {"app/view/camera.cpp", "#include \"app/gl/renderer.h\""},
     {"app/gl/renderer.cpp", "#include <GLFW/glfw3.h>"},
     {"app/gl/renderer.cpp", "#include \"app/context/context.h\""},
-    {"app/context/headless.cpp", "#include \"app/window/session.h\""},
+    {"app/context/headless.cpp", "#include \"app/window/session/session.h\""},
     {"app/window/session.cpp", "#include \"app/cli/verb.h\""},
     {"app/pictures/render.cpp", "#include \"app/window/live.h\""},
     {"app/pictures/render.cpp", "#include \"app/cli/run.h\""},

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "app/window/panels.h"
+#include "app/window/panels/panels.h"
 
 namespace pupflow::window {
 namespace {

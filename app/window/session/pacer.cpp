@@ -1,4 +1,4 @@
-#include "app/window/pacer.h"
+#include "app/window/session/pacer.h"
 
 #include <algorithm>
 #include <cmath>

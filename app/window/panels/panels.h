@@ -1,11 +1,11 @@
 // Where everything stands in the window: panels at the sides, the arena between them.
 #pragma once
 
-#include "app/window/area.h"
+#include "app/window/panels/area.h"
 #include "app/window/controls.h"
-#include "app/window/overlays.h"
-#include "app/window/parameter_panel.h"
-#include "app/window/session.h"
+#include "app/window/panels/overlays.h"
+#include "app/window/panels/parameter_panel.h"
+#include "app/window/session/session.h"
 #include "app/window/test_events.h"
 #include "app/window/theme.h"
 

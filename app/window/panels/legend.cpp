@@ -1,4 +1,4 @@
-#include "app/window/legend.h"
+#include "app/window/panels/legend.h"
 
 #include <algorithm>
 #include <cmath>

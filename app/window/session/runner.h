@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "app/window/pacer.h"
-#include "app/window/session.h"
+#include "app/window/session/pacer.h"
+#include "app/window/session/session.h"
 
 namespace pupflow::window {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/view/color_bar.h"
-#include "app/window/area.h"
+#include "app/window/panels/area.h"
 #include "app/window/theme.h"
 
 namespace pupflow::window {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/window/area.h"
+#include "app/window/panels/area.h"
 #include "app/window/controls.h"
 #include "app/window/test_events.h"
 #include "app/window/theme.h"

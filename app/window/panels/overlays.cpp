@@ -1,4 +1,4 @@
-#include "app/window/overlays.h"
+#include "app/window/panels/overlays.h"
 
 #include <algorithm>
 

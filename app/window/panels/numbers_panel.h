@@ -1,7 +1,7 @@
 // The observables: as numbers, and as plots of the recent past.
 #pragma once
 
-#include "app/window/session.h"
+#include "app/window/session/session.h"
 #include "app/window/test_events.h"
 #include "app/window/theme.h"
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/window/history.h"
+#include "app/window/session/history.h"
 #include "pupflow/fields.h"
 #include "pupflow/observer.h"
 #include "pupflow/simulation.h"

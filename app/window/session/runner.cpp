@@ -1,4 +1,4 @@
-#include "app/window/runner.h"
+#include "app/window/session/runner.h"
 
 #include <chrono>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/window/redraw_schedule.h"
+#include "app/window/session/redraw_schedule.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "app/window/run_panel.h"
+#include "app/window/panels/run_panel.h"
 
 #include <imgui.h>
 

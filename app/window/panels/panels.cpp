@@ -1,12 +1,12 @@
-#include "app/window/panels.h"
+#include "app/window/panels/panels.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <string>
 
-#include "app/window/legend.h"
-#include "app/window/numbers_panel.h"
-#include "app/window/run_panel.h"
+#include "app/window/panels/legend.h"
+#include "app/window/panels/numbers_panel.h"
+#include "app/window/panels/run_panel.h"
 
 namespace pupflow::window {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/window/numbers_panel.h"
+#include "app/window/panels/numbers_panel.h"
 
 #include <algorithm>
 #include <cstdio>

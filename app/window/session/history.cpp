@@ -1,4 +1,4 @@
-#include "app/window/history.h"
+#include "app/window/session/history.h"
 
 namespace pupflow::window {
 void History::add(double time, const Observables& seen) {

@@ -66,6 +66,11 @@ std::span<const KeyRow> key_table() {
   return kKeys;
 }
 
+const KeyRow& key_row(Action action) {
+  return *std::find_if(kKeys.begin(), kKeys.end(),
+                       [&](const KeyRow& row) { return row.action == action; });
+}
+
 std::span<const MouseRow> mouse_table() {
   return kMouse;
 }

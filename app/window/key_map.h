@@ -42,6 +42,9 @@ struct KeyRow {
 
 std::span<const KeyRow> key_table();
 
+/// The row of an action.
+const KeyRow& key_row(Action action);
+
 /// What pressing `key` with GLFW's modifier bits `mods` does; nothing with Ctrl, Alt or Super. Rows
 /// with Shift come before those without, and Shift is otherwise ignored (it may be what types '+').
 /// `repeated`: the key is being held.

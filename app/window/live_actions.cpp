@@ -9,7 +9,7 @@
 
 #include "app/io/failure.h"
 #include "app/window/live_window.h"
-#include "app/window/panels/run_panel.h"
+#include "app/window/panels/transport_panel.h"
 
 namespace pupflow::window {
 namespace {

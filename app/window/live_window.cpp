@@ -12,6 +12,7 @@
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/window/panels/legend.h"
+#include "app/window/panels/overlays.h"
 
 namespace pupflow::window {
 namespace {
@@ -115,7 +116,8 @@ void LiveWindow::frame(double now) {
       make_layout(io.DisplaySize.x, io.DisplaySize.y, gui_->scale(), controls_.panels);
   const LiveState& snapshot = runner_.snapshot();
   const double rate = snapshot.playing ? schedule_.frames_per_second() : 0;
-  observe(panels_.draw(layout, snapshot, rate, controls_, gui_->fonts(), events_));
+  const PanelInput input{snapshot, controls_, gui_->fonts(), events_, rate};
+  observe(panels_.draw(layout, input));
   fit_scale();
   draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
@@ -152,13 +154,14 @@ void LiveWindow::paint(const Layout& layout) {
   };
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_.handle(), &width, &height);
-  const int x = pixels(layout.arena.corner.x);
+  const int x = pixels(layout.arena.corner.x), top = pixels(layout.arena.corner.y);
   const int arena_width = std::min(pixels(layout.arena.size.x), width - x);
+  const int arena_height = std::min(pixels(layout.arena.size.y), height - top);
   const int samples = schedule_.samples(controls_.look.samples());
   arena_.draw(runner_.snapshot(), schedule_.fresh(), scale_, std::max(arena_width, 1),
-              std::max(height, 1), samples);
+              std::max(arena_height, 1), samples);
   clear(gl::Palette{}.background);
-  arena_.show(x, 0);
+  arena_.show(x, height - top - arena_height);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, width, height);
   gui_->draw();

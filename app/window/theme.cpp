@@ -39,6 +39,7 @@ void set_colors(ImGuiStyle& style) {
   colors[ImGuiCol_Text] = color(kInk);
   colors[ImGuiCol_TextDisabled] = color(kFaint);
   colors[ImGuiCol_WindowBg] = color(IM_COL32(246, 247, 249, 255));
+  colors[ImGuiCol_MenuBarBg] = color(IM_COL32(233, 236, 240, 255));
   colors[ImGuiCol_PopupBg] = color(IM_COL32(255, 255, 255, 255));
   colors[ImGuiCol_Border] = color(kLine);
   colors[ImGuiCol_FrameBg] = color(IM_COL32(226, 230, 235, 255));

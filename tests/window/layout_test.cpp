@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "app/window/panels/panels.h"
+#include "app/window/panels/layout.h"
 
 namespace pupflow::window {
 namespace {
@@ -16,6 +16,7 @@ TEST(Layout, FillsTheWindowFromLeftToRight) {
       EXPECT_FLOAT_EQ(layout.arena.corner.x, end(layout.left));
       EXPECT_FLOAT_EQ(layout.bar.corner.x, end(layout.arena));
       EXPECT_FLOAT_EQ(layout.right.corner.x, end(layout.bar));
+      EXPECT_FLOAT_EQ(end(layout.transport), end(layout.bar));
       EXPECT_FLOAT_EQ(end(layout.right), width);
       EXPECT_GT(layout.arena.size.x, 0.2f * width) << width << " at " << scale;
       EXPECT_EQ(layout.two_panels, layout.right.size.x > 0);

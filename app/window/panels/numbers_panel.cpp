@@ -24,7 +24,7 @@ void tip(const Field& field) {
   ImGui::SetTooltip("%s\n%s", text_of(field.doc).c_str(), text_of(field.equation).c_str());
 }
 
-void draw_numbers(const LiveState& snapshot, const Fonts& fonts) {
+void draw_numbers(const PanelInput& in) {
   if (!ImGui::BeginTable("numbers", 3)) return;
   const float em = ImGui::GetFontSize();
   ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch);
@@ -32,11 +32,11 @@ void draw_numbers(const LiveState& snapshot, const Fonts& fonts) {
   ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, 2.6f * em);
   for (const ObservableField& row : observables()) {
     ImGui::TableNextColumn();
-    rich_text(fonts, kInk, text_of(row.label).c_str());
+    rich_text(in.fonts, kInk, text_of(row.label).c_str());
     tip(row);
     ImGui::TableNextColumn();
     const std::string text =
-        snapshot.observables ? number(*snapshot.observables.*row.value, row.digits) : "\u2013";
+        in.state.observables ? number(*in.state.observables.*row.value, row.digits) : "\u2013";
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(room, 0.0f));
     ImGui::AlignTextToFramePadding();
@@ -83,52 +83,53 @@ void draw_curve(ImDrawList& list, const History& history, std::size_t observable
   for (int i = 1; i < history.size(); ++i) list.AddLine(place(i - 1), place(i), kAccent, width);
 }
 
-void draw_plot(const LiveState& snapshot, const Fonts& fonts, std::size_t observable) {
+void draw_plot(const PanelInput& in, std::size_t observable) {
   const ObservableField& row = observables()[observable];
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float em = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size{ImGui::GetContentRegionAvail().x, (1.2f + kPlotLines) * em};
-  draw_rich_text(list, fonts, corner, kInk, text_of(row.label).c_str());
+  draw_rich_text(list, in.fonts, corner, kInk, text_of(row.label).c_str());
   const float labels = 2.7f * em, top = 1.35f * em;
   const ImVec2 low{corner.x + labels, corner.y + top}, room{size.x - labels, size.y - top};
-  const Range range = span_of(snapshot.history, observable);
+  const Range range = span_of(in.state.history, observable);
   list.AddRectFilled(low, {low.x + room.x, low.y + room.y}, IM_COL32_WHITE);
   list.AddRect(low, {low.x + room.x, low.y + room.y}, kLine);
   char text[32];
   const auto label = [&](float value, float y) {
     std::snprintf(text, sizeof text, "%.3g", static_cast<double>(value));
-    const float width = fonts.small
-                            ->CalcTextSizeA(fonts.small->FontSize * ImGui::GetIO().FontGlobalScale,
-                                            FLT_MAX, 0, text)
-                            .x;
-    small_text(list, fonts, {low.x - width - 0.3f * em, y}, text);
+    const float width =
+        in.fonts.small
+            ->CalcTextSizeA(in.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale, FLT_MAX, 0,
+                            text)
+            .x;
+    small_text(list, in.fonts, {low.x - width - 0.3f * em, y}, text);
   };
   label(range.high, low.y - 0.1f * em);
   label(range.low, low.y + room.y - 0.85f * em);
-  draw_curve(list, snapshot.history, observable, range, low, room);
+  draw_curve(list, in.state.history, observable, range, low, room);
   ImGui::Dummy({size.x, size.y + 0.2f * em});
   tip(row);
 }
 
-void draw_plots(const LiveState& snapshot, const Fonts& fonts) {
-  for (std::size_t k = 0; k < kObservableCount; ++k) draw_plot(snapshot, fonts, k);
+void draw_plots(const PanelInput& in) {
+  for (std::size_t k = 0; k < kObservableCount; ++k) draw_plot(in, k);
   constexpr int kSteps = History::kSamples * History::kStepsPerSample;
-  ImGui::PushFont(fonts.small);
+  ImGui::PushFont(in.fonts.small);
   ImGui::TextDisabled("the last %d steps (%.3g s), means over %d", kSteps,
-                      kSteps * snapshot.view().params.dt, History::kStepsPerSample);
+                      kSteps * in.state.view().params.dt, History::kStepsPerSample);
   ImGui::PopFont();
 }
 
 }  // namespace
 
-bool draw_numbers_panel(const LiveState& snapshot, const Fonts& fonts, TestEvents& events) {
+bool draw_numbers_panel(const PanelInput& in) {
   const bool numbers = ImGui::CollapsingHeader("numbers", ImGuiTreeNodeFlags_DefaultOpen);
-  events.widget("numbers");
-  if (numbers) draw_numbers(snapshot, fonts);
+  in.events.widget("numbers");
+  if (numbers) draw_numbers(in);
   const bool plots = ImGui::CollapsingHeader("plots", ImGuiTreeNodeFlags_DefaultOpen);
-  events.widget("plots");
-  if (plots) draw_plots(snapshot, fonts);
+  in.events.widget("plots");
+  if (plots) draw_plots(in);
   return numbers || plots;
 }
 

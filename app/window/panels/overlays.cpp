@@ -11,9 +11,9 @@ constexpr ImGuiWindowFlags kFloating =
 
 }  // namespace
 
-void draw_help(const Area& arena, Controls& controls, const Fonts& fonts, TestEvents& events) {
-  events.help(controls.help);
-  if (!controls.help) return;
+void draw_help(const Area& arena, const PanelInput& in) {
+  in.events.help(in.controls.help);
+  if (!in.controls.help) return;
   ImGui::SetNextWindowPos(arena.middle(), ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::Begin("help", nullptr, kFloating);
   const auto table = [](const char* id, const auto& rows) {
@@ -27,7 +27,7 @@ void draw_help(const Area& arena, Controls& controls, const Fonts& fonts, TestEv
     ImGui::EndTable();
   };
   const auto heading = [&](const char* text) {
-    ImGui::PushFont(fonts.title);
+    ImGui::PushFont(in.fonts.title);
     ImGui::TextUnformatted(text);
     ImGui::PopFont();
   };
@@ -37,44 +37,43 @@ void draw_help(const Area& arena, Controls& controls, const Fonts& fonts, TestEv
   heading("Mouse");
   table("mouse", mouse_table());
   ImGui::Spacing();
-  if (ImGui::Button("Close")) controls.help = false;
-  events.widget("close_help");
+  if (ImGui::Button("Close")) in.controls.help = false;
+  in.events.widget("close_help");
   ImGui::End();
 }
 
-void draw_bad_status(const Area& arena, const LiveState& snapshot, Controls& controls,
-                     const Fonts& fonts, TestEvents& events) {
-  if (snapshot.status.ok()) return;
+void draw_bad_status(const Area& arena, const PanelInput& in) {
+  if (in.state.status.ok()) return;
   const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({arena.middle().x, arena.corner.y + em}, ImGuiCond_Always, {0.5f, 0});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(253, 236, 234, 255));
   ImGui::PushStyleColor(ImGuiCol_Border, kBad);
   ImGui::Begin("bad status", nullptr, kFloating);
-  ImGui::PushFont(fonts.title);
+  ImGui::PushFont(in.fonts.title);
   ImGui::PushStyleColor(ImGuiCol_Text, kBad);
   ImGui::TextUnformatted("The numbers went wrong");
   ImGui::PopStyleColor();
   ImGui::PopFont();
   ImGui::PushTextWrapPos(std::min(32 * em, arena.size.x - 4 * em));
-  ImGui::TextUnformatted(snapshot.status.message().c_str());
+  ImGui::TextUnformatted(in.state.status.message().c_str());
   ImGui::TextDisabled(
       "The litter stands as that stage left it. Change what drove it there, then restart.");
   ImGui::PopTextWrapPos();
-  if (ImGui::Button("Restart")) controls.actions.push_back(Action::restart);
-  events.widget("bad_restart");
+  if (ImGui::Button("Restart")) in.controls.actions.push_back(Action::restart);
+  in.events.widget("bad_restart");
   ImGui::End();
   ImGui::PopStyleColor(2);
 }
 
-void draw_warnings(const Area& arena, const LiveState& snapshot) {
-  if (snapshot.warnings.empty() || !snapshot.status.ok()) return;
+void draw_warnings(const Area& arena, const PanelInput& in) {
+  if (in.state.warnings.empty() || !in.state.status.ok()) return;
   const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({arena.middle().x, arena.corner.y + em}, ImGuiCond_Always, {0.5f, 0});
   ImGui::SetNextWindowBgAlpha(0.92f);
   ImGui::Begin("warnings", nullptr, kFloating | ImGuiWindowFlags_NoInputs);
   ImGui::PushStyleColor(ImGuiCol_Text, kBad);
   ImGui::PushTextWrapPos(arena.size.x - 3 * em);
-  for (const Warning& warning : snapshot.warnings) {
+  for (const Warning& warning : in.state.warnings) {
     ImGui::TextUnformatted(("Warning: " + warning.message()).c_str());
   }
   ImGui::PopTextWrapPos();

@@ -1,17 +1,15 @@
 #include "app/window/panels/panels.h"
 
-#include <algorithm>
-#include <cstdio>
 #include <string>
 
-#include "app/window/panels/legend.h"
+#include "app/window/panels/look_panel.h"
+#include "app/window/panels/menu.h"
 #include "app/window/panels/numbers_panel.h"
-#include "app/window/panels/run_panel.h"
+#include "app/window/panels/overlays.h"
+#include "app/window/panels/transport_panel.h"
 
 namespace pupflow::window {
 namespace {
-
-constexpr float kLeftWidth = 424, kRightWidth = 290, kLeastArena = 400;
 
 constexpr ImGuiWindowFlags kPanel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
@@ -26,70 +24,13 @@ void begin_panel(const char* name, const Area& area) {
   ImGui::PopStyleVar();
 }
 
-void draw_problem(const Controls& controls, const LiveState& snapshot) {
-  const std::string& text = controls.problem.empty() ? snapshot.rejected : controls.problem;
-  if (text.empty()) return;
+/// Always there, so that nothing moves when it speaks.
+void draw_problem(const PanelInput& in) {
+  const std::string& text = in.controls.problem.empty() ? in.state.rejected : in.controls.problem;
   ImGui::PushStyleColor(ImGuiCol_Text, kBad);
-  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::TextUnformatted(text.empty() ? " " : text.c_str());
   ImGui::PopStyleColor();
-}
-
-/// A list of choices. `choices` says each of them by `choice(name, label, chosen)`, which returns
-/// whether it was picked.
-template <class Choices>
-void draw_combo(const char* label, const char* name, std::string_view present, TestEvents& events,
-                const Choices& choices) {
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11);
-  const bool open =
-      ImGui::BeginCombo(label, std::string(present).c_str(), ImGuiComboFlags_HeightLargest);
-  events.widget(name);
-  if (!open) return;
-  choices([&](std::string_view item, std::string_view text, bool chosen) {
-    const std::string shown = std::string(text) + "##" + std::string(item);
-    const bool picked = ImGui::Selectable(shown.c_str(), chosen);
-    events.widget(std::string(name) + '-' + std::string(item));
-    return picked;
-  });
-  ImGui::EndCombo();
-}
-
-void draw_field_choice(Controls& controls, TestEvents& events) {
-  const LitterField& present = *controls.look.scale.field;
-  draw_combo("colors", "color_by", present.label, events, [&](const auto& choice) {
-    for (const auto table : {pup_fields(), afferent_fields()}) {
-      for (const LitterField& field : table) {
-        // By name: the field of the command line is in the executable's own table.
-        const bool chosen = field.name == present.name;
-        if (choice(field.name, field.label, chosen) && !chosen) controls.color_by(field);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(field.doc).c_str());
-      }
-    }
-  });
-}
-
-void draw_map_choice(Controls& controls, TestEvents& events) {
-  view::ColorScale& scale = controls.look.scale;
-  draw_combo("color map", "colormap", scale.map_name, events, [&](const auto& choice) {
-    for (const std::string_view name : view::colormap_names()) {
-      if (choice(name, name, name == scale.map_name)) scale.set_map(name);
-    }
-  });
-}
-
-void draw_view(const LiveState& snapshot, double frames_per_second, Controls& controls,
-               TestEvents& events) {
-  const bool open = ImGui::CollapsingHeader("view", ImGuiTreeNodeFlags_DefaultOpen);
-  events.widget("view");
-  if (!open) return;
-  draw_field_choice(controls, events);
-  if (!controls.look.scale.categorical()) draw_map_choice(controls, events);
-  ImGui::TextDisabled("%.0f \u00b5s a step", snapshot.microseconds_per_step);
-  ImGui::SameLine(0, ImGui::GetFontSize());
-  if (frames_per_second > 0) {
-    ImGui::TextDisabled("%.0f frames/s", frames_per_second);
-  } else {
-    ImGui::TextDisabled("at rest");
-  }
+  if (!text.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
 }
 
 /// The model as published; the seed and what does not change the model stay.
@@ -105,55 +46,42 @@ Params papers_values(const Params& present) {
 
 }  // namespace
 
-Layout make_layout(float width, float height, float scale, bool panels) {
-  Layout layout;
-  const float left = panels ? std::min(kLeftWidth * scale, 0.6f * width) : 0;
-  const float right = kRightWidth * scale;
-  layout.two_panels = panels && width >= left + right + kLeastArena * scale;
-  const float arena_end = layout.two_panels ? width - right : width;
-  layout.left = {{0, 0}, {left, height}};
-  const float bar = std::min(kLegendWidth * scale, 0.3f * (arena_end - left));
-  layout.arena = {{left, 0}, {arena_end - left - bar, height}};
-  layout.bar = {{arena_end - bar, 0}, {bar, height}};
-  layout.right = {{arena_end, 0}, {width - arena_end, height}};
-  return layout;
-}
-
-bool Panels::draw(const Layout& layout, const LiveState& snapshot, double frames_per_second,
-                  Controls& controls, const Fonts& fonts, TestEvents& events) {
+bool Panels::draw(const Layout& layout, const PanelInput& in) {
   bool observed = false;
-  if (controls.panels) {
+  draw_menu(in);
+  if (in.controls.panels) {
     begin_panel("left", layout.left);
-    draw_run_panel(snapshot, controls, events);
-    ImGui::Separator();
-    parameters_.draw_top(controls, fonts, events);
-    draw_problem(controls, snapshot);
+    parameters_.draw_top(in);
+    draw_problem(in);
     if (!layout.two_panels) {
-      observed = draw_numbers_panel(snapshot, fonts, events);
-      draw_view(snapshot, frames_per_second, controls, events);
+      observed = draw_numbers_panel(in);
+      draw_look_panel(in);
     }
-    draw_parameters(controls, fonts, events);
+    draw_parameters(in);
     ImGui::End();
   }
   if (layout.two_panels) {
     begin_panel("right", layout.right);
-    observed = draw_numbers_panel(snapshot, fonts, events);
-    draw_view(snapshot, frames_per_second, controls, events);
+    observed = draw_numbers_panel(in);
+    draw_look_panel(in);
     ImGui::End();
   }
-  draw_warnings(layout.arena, snapshot);
-  draw_bad_status(layout.arena, snapshot, controls, fonts, events);
-  draw_help(layout.arena, controls, fonts, events);
+  begin_panel("transport", layout.transport);
+  draw_transport_panel(in);
+  ImGui::End();
+  draw_warnings(layout.arena, in);
+  draw_bad_status(layout.arena, in);
+  draw_help(layout.arena, in);
   return observed;
 }
 
-void Panels::draw_parameters(Controls& controls, const Fonts& fonts, TestEvents& events) {
-  parameters_.draw_groups(controls, fonts, events);
+void Panels::draw_parameters(const PanelInput& in) {
+  parameters_.draw_groups(in);
   ImGui::Spacing();
   if (ImGui::Button("Reset to the paper's values", {-1, 0})) {
-    controls.propose(papers_values(controls.params));
+    in.controls.propose(papers_values(in.controls.params));
   }
-  events.widget("reset");
+  in.events.widget("reset");
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("All but seed and precision. The litter restarts where it must.");
   }

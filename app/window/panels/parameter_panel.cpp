@@ -32,18 +32,18 @@ double rounded(const Parameter& parameter, double value) {
   return std::strtod(text.data(), nullptr);
 }
 
-void propose_value(const Parameter& parameter, double value, Controls& controls) {
+void propose_value(const Parameter& parameter, double value, const PanelInput& in) {
   Problem problem;
   if (!check_value(parameter, value, problem)) {
-    controls.problem = problem.message;
+    in.controls.problem = problem.message;
     return;
   }
-  Params candidate = controls.params;
+  Params candidate = in.controls.params;
   parameter.set(candidate, value);
-  controls.propose(candidate);
+  in.controls.propose(candidate);
 }
 
-void tooltip(const Parameter& parameter, const Fonts& fonts) {
+void tooltip(const Parameter& parameter, const PanelInput& in) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
       ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     return;
@@ -55,7 +55,7 @@ void tooltip(const Parameter& parameter, const Fonts& fonts) {
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
   std::string title(parameter.title);
   if (!parameter.symbol.empty()) title = std::string(parameter.symbol) + "  " + title;
-  rich_text(fonts, kAccent, title);
+  rich_text(in.fonts, kAccent, title);
   ImGui::TextUnformatted(parameter.doc.data(), parameter.doc.data() + parameter.doc.size());
   const auto line = [](const char* what, const std::string& text) {
     if (!text.empty()) ImGui::TextDisabled("%s: %s", what, text.c_str());
@@ -72,13 +72,13 @@ void tooltip(const Parameter& parameter, const Fonts& fonts) {
   ImGui::EndTooltip();
 }
 
-void choice(const Parameter& parameter, Controls& controls) {
-  const std::string current = format_value(parameter, controls.params);
+void choice(const Parameter& parameter, const PanelInput& in) {
+  const std::string current = format_value(parameter, in.controls.params);
   if (!ImGui::BeginCombo("##value", current.c_str())) return;
   for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
     const std::string name(parameter.choices[i]);
     if (ImGui::Selectable(name.c_str(), name == current)) {
-      propose_value(parameter, static_cast<double>(i), controls);
+      propose_value(parameter, static_cast<double>(i), in);
     }
   }
   ImGui::EndCombo();
@@ -96,13 +96,13 @@ bool begin_rows(const char* id) {
 
 }  // namespace
 
-void ParameterPanel::draw_top(Controls& controls, const Fonts& fonts, TestEvents& events) {
+void ParameterPanel::draw_top(const PanelInput& in) {
   if (!begin_rows("top")) return;
-  for (const std::string_view name : kTop) row(*find_parameter(name), controls, fonts, events);
+  for (const std::string_view name : kTop) row(*find_parameter(name), in);
   ImGui::EndTable();
 }
 
-void ParameterPanel::draw_groups(Controls& controls, const Fonts& fonts, TestEvents& events) {
+void ParameterPanel::draw_groups(const PanelInput& in) {
   const std::span<const Parameter> all = parameters();
   for (auto first = all.begin(); first != all.end(); ++first) {
     const auto same_group = [&](const Parameter& other) {
@@ -113,43 +113,42 @@ void ParameterPanel::draw_groups(Controls& controls, const Fonts& fonts, TestEve
     const std::string group(first->group);
     const bool open =
         ImGui::CollapsingHeader(group.c_str(), group == "run" ? 0 : ImGuiTreeNodeFlags_DefaultOpen);
-    events.widget("group-" + group);
+    in.events.widget("group-" + group);
     if (!open || !begin_rows(group.c_str())) continue;
     for (const Parameter& parameter : all) {
-      if (same_group(parameter)) row(parameter, controls, fonts, events);
+      if (same_group(parameter)) row(parameter, in);
     }
     ImGui::EndTable();
   }
 }
 
-void ParameterPanel::row(const Parameter& parameter, Controls& controls, const Fonts& fonts,
-                         TestEvents& events) {
+void ParameterPanel::row(const Parameter& parameter, const PanelInput& in) {
   const std::string name(parameter.name);
   ImGui::PushID(name.c_str());
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  rich_text(fonts, kInk, parameter.symbol);
+  rich_text(in.fonts, kInk, parameter.symbol);
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1);
   if (parameter.kind == Parameter::Kind::choice) {
-    choice(parameter, controls);
+    choice(parameter, in);
   } else {
-    number(parameter, controls);
+    number(parameter, in);
   }
-  events.widget(name);
-  tooltip(parameter, fonts);
+  in.events.widget(name);
+  tooltip(parameter, in);
   ImGui::TableNextColumn();
-  const bool changed = parameter.get(controls.params) != parameter.default_value();
+  const bool changed = parameter.get(in.controls.params) != parameter.default_value();
   std::string title(parameter.title);
   if (parameter.effect == Parameter::Effect::restart) title += kRestarts;
-  rich_text(fonts, changed ? kAccent : kFaint, title);
-  tooltip(parameter, fonts);
+  rich_text(in.fonts, changed ? kAccent : kFaint, title);
+  tooltip(parameter, in);
   ImGui::PopID();
 }
 
-void ParameterPanel::number(const Parameter& parameter, Controls& controls) {
+void ParameterPanel::number(const Parameter& parameter, const PanelInput& in) {
   const bool drafted = draft_ && draft_->parameter == &parameter;
-  double value = drafted ? draft_->value : parameter.get(controls.params);
+  double value = drafted ? draft_->value : parameter.get(in.controls.params);
   const bool moved = slider(parameter, value);
   const bool active = ImGui::IsItemActive();
   const bool typing = active && ImGui::GetIO().WantTextInput;
@@ -157,7 +156,7 @@ void ParameterPanel::number(const Parameter& parameter, Controls& controls) {
   if (moved) draft_ = Draft{&parameter, typing ? value : rounded(parameter, value)};
   if (!draft_ || draft_->parameter != &parameter) return;
   const bool at_once = parameter.effect == Parameter::Effect::next_step && !typing;
-  if ((moved && at_once) || done) propose_value(parameter, draft_->value, controls);
+  if ((moved && at_once) || done) propose_value(parameter, draft_->value, in);
   if (!active) draft_.reset();
 }
 

@@ -3,9 +3,7 @@
 
 #include <optional>
 
-#include "app/window/controls.h"
-#include "app/window/test_events.h"
-#include "app/window/theme.h"
+#include "app/window/panels/panel.h"
 #include "pupflow/parameters.h"
 
 namespace pupflow::window {
@@ -16,10 +14,10 @@ namespace pupflow::window {
 class ParameterPanel {
  public:
   /// T_a, rigidity and deformation.
-  void draw_top(Controls& controls, const Fonts& fonts, TestEvents& events);
+  void draw_top(const PanelInput& in);
 
   /// All the others that matter in a window, under their groups' headings.
-  void draw_groups(Controls& controls, const Fonts& fonts, TestEvents& events);
+  void draw_groups(const PanelInput& in);
 
  private:
   struct Draft {  // a value being dragged or typed, not all of it proposed yet
@@ -27,8 +25,8 @@ class ParameterPanel {
     double value;
   };
 
-  void row(const Parameter& parameter, Controls& controls, const Fonts& fonts, TestEvents& events);
-  void number(const Parameter& parameter, Controls& controls);
+  void row(const Parameter& parameter, const PanelInput& in);
+  void number(const Parameter& parameter, const PanelInput& in);
   bool slider(const Parameter& parameter, double& value) const;
 
   std::optional<Draft> draft_;

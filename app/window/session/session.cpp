@@ -38,8 +38,7 @@ void Session::apply(const Command& command) {
         } else if constexpr (std::is_same_v<Asked, ColorBy>) {
           color_by_ = asked.field;
           record();
-        } else {
-          static_assert(std::is_same_v<Asked, Suspend>);
+        } else if constexpr (std::is_same_v<Asked, Suspend>) {
           suspended_ = asked.on;
         }
       },

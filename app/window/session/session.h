@@ -2,6 +2,7 @@
 // and clocks.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -36,19 +37,68 @@ struct Observe {    // whether the observables are shown
 struct ColorBy {  // the field of a pup or an afferent that is shown as color
   const LitterField* field;
 };
+struct Watch {  // what a step must record beside: for overlays, inspector, plots
+  PartSet parts;
+  bool velocities = false;
+};
 struct Suspend {  // the window is hidden: no steps until further notice
   bool on;
 };
-using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Observe, ColorBy, Suspend>;
+struct GoTo {  // pause at that step of the run, in exactly the state that it had
+  std::int64_t step;
+};
+struct SwapFuture {};  // go back to the future that an edit in the past left behind; and back again
+struct RampTo {        // change a parameter of Effect::next_step evenly from now on
+  std::size_t parameter;  // its place in parameters()
+  double value;
+  std::int64_t steps;
+  bool back = false;  // and in as many steps to where it came from
+};
+struct Undo {};  // of edits and ramps
+struct Redo {};
+struct Pull {  // a spring draws that pup's centre to `target`; nobody: let go
+  std::optional<int> pup;
+  std::array<double, 3> target{};  // arena units
+};
+struct Compare {               // step a second litter beside this one; none: only one
+  std::optional<Params> with;  // its parameters, from t = 0
+};
+using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Observe, ColorBy, Watch,
+                             Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare>;
 
-/// What the window shows: the litter, and how it is being stepped.
-struct LiveState {
+/// A run so far, which can be gone back to.
+struct Timeline {
+  enum class Kind { edit, ramp, pull, bad };
+  struct Mark {
+    std::int64_t step;
+    std::optional<std::int64_t> until;  // of ramps
+    Kind kind;
+    std::string text;  // what was done, as people read it: "T_a 0.4 \u2192 0.2"
+  };
+
+  std::int64_t first = 0, last = 0;  // the steps that can be gone to
+  std::vector<Mark> marks;           // by step
+  // The future that was left for an edit in the past: where it parts from this run, and its end.
+  std::optional<std::int64_t> parted_at;
+  std::int64_t other_last = 0;
+  bool can_undo = false, can_redo = false;
+};
+
+/// One litter as the window shows it.
+struct LitterState {
   LitterCopy litter;
   LitterView view() const { return litter.view(); }
   std::optional<Observables> observables;  // of the last step, when observed
   History history;
   Status status;
   std::vector<Warning> warnings;
+};
+
+/// What the window shows: the litter, or two beside each other, and how they are being stepped.
+struct LiveState : LitterState {
+  Timeline timeline;
+  std::optional<LitterState> second;        // while comparing
+  std::optional<std::int64_t> diverged_at;  // the step at which the two were seen to part
   bool playing = false;
   double speed = 1;                  // as asked for
   double steps_per_second = 0;       // as measured; 0 while at rest

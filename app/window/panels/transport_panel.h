@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/window/controls.h"
-#include "app/window/test_events.h"
+#include "app/window/panels/panel.h"
 
 namespace pupflow::window {
 
@@ -13,6 +12,6 @@ namespace pupflow::window {
 std::int64_t new_seed();
 
 /// Draws the buttons, the clock, speed and seed into the current Dear ImGui window.
-void draw_run_panel(const LiveState& snapshot, Controls& controls, TestEvents& events);
+void draw_transport_panel(const PanelInput& in);
 
 }  // namespace pupflow::window

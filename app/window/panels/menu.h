@@ -1,0 +1,12 @@
+// The menus along the top of the window.
+#pragma once
+
+#include "app/window/panels/panel.h"
+
+namespace pupflow::window {
+
+/// Submits the main menu bar. Each entry asks for an action of the key table, so that what a menu
+/// does a key does too.
+void draw_menu(const PanelInput& in);
+
+}  // namespace pupflow::window

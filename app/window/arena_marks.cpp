@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "app/pictures/annotations.h"
 #include "app/window/text_line.h"
 
 namespace pupflow::window {
@@ -89,6 +90,50 @@ view::Projection projection_on(const view::Camera& camera, const Area& area,
                                std::span<const view::Ball> bodies) {
   const auto whole = [](float size) { return std::max(1, static_cast<int>(std::lround(size))); };
   return {camera, {}, whole(area.size.x), whole(area.size.y), bodies};
+}
+
+void ArenaMarks::watch(const LitterView& litter, const pictures::Look& look) {
+  if (!look.overlays.has("trails")) {
+    trails_ = view::Trails();
+    return;
+  }
+  if (trails_.seconds() != look.trail) trails_ = view::Trails(look.trail);
+  trails_.add(litter);
+}
+
+void ArenaMarks::paint(ImDrawList& list, const Scene& scene, bool fresh, const pictures::Look& look,
+                       const view::Marks& more) {
+  const auto em = static_cast<double>(ImGui::GetFontSize());
+  const auto width = static_cast<double>(scene.area.size.x);
+  const auto height = static_cast<double>(scene.area.size.y);
+  watch(scene.litter, look);
+  if (fresh || marked_ != look.overlays) {
+    marks_.clear();
+    if (!look.overlays.empty()) {
+      look.overlays.draw({scene.litter, scene.scale, pictures::centres_of(scene.litter), trails_},
+                         marks_);
+    }
+    marked_ = look.overlays;
+  }
+  const view::Projection projection = projection_on(scene.camera, scene.area, scene.bodies);
+  const ImFont& font = *ImGui::GetFont();
+  const view::TextWidth text_width = [&](const view::TextLine& line, double size) {
+    return width_of(font, line, size);
+  };
+  std::vector<view::Flat> flats;
+  view::flatten(more, projection, mark_scale(height, em), flats);
+  paint_flats(list, font, flats, scene.area);
+  paint_flats(list, font,
+              pictures::annotations(marks_, mark_scale(height, em), look,
+                                    {.litter = scene.litter,
+                                     .camera = scene.camera,
+                                     .projection = projection,
+                                     .width = width,
+                                     .height = height,
+                                     .text_size = em,
+                                     .ink = {40, 40, 40},
+                                     .width_of = text_width}),
+              scene.area);
 }
 
 }  // namespace pupflow::window

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "app/gl/renderer.h"
@@ -28,6 +29,12 @@ class ArenaView {
   void zoom(double factor) { camera_.zoom(factor); }
 
   const view::Camera& camera() const { return camera_; }
+
+  /// How bodies are drawn from now on.
+  void set_look(const pictures::Look& look) { look_ = look; }
+
+  /// The outlines of the bodies that were drawn last.
+  std::span<const view::Ball> bodies() const { return list_.balls(); }
 
   /// Draws `snapshot` into a store of its own, `width` x `height` pixels with `samples` x `samples`
   /// samples each in the colors of `scale`, unless it is drawn there already. `fresh` says that the

@@ -124,10 +124,13 @@ void LiveWindow::frame(double now) {
   if (io.WantTextInput) schedule_.cursor_shown(now);
   events_.text(text_has_keyboard());
   move_camera(layout.arena, now);
+  const int samples = draw_arena(layout);
   gui_->end_frame();
 
   carry_out(now);
   paint(layout);
+  events_.camera(arena_.camera());
+  events_.frame(samples);
   schedule_.end_frame();
 }
 
@@ -148,26 +151,36 @@ void LiveWindow::fit_scale() {
   scale_time_ = litter.time;
 }
 
+/// Into a store of its own; and what is painted over it, into the panels' list. Returns the samples.
+int LiveWindow::draw_arena(const Layout& layout) {
+  const auto pixels = [&](float length) {
+    return std::max(1, static_cast<int>(std::lround(length * gui_->density())));
+  };
+  const LiveState& snapshot = runner_.snapshot();
+  const int samples = schedule_.samples(controls_.look.samples());
+  arena_.set_look(controls_.look);
+  arena_.draw(snapshot, schedule_.fresh(), scale_, pixels(layout.arena.size.x),
+              pixels(layout.arena.size.y), samples);
+  const LitterView litter = snapshot.view();
+  marks_.paint(*ImGui::GetBackgroundDrawList(),
+               {litter, scale_, arena_.camera(), arena_.bodies(), layout.arena}, schedule_.fresh(),
+               controls_.look);
+  return samples;
+}
+
 void LiveWindow::paint(const Layout& layout) {
   const auto pixels = [&](float length) {
     return static_cast<int>(std::lround(length * gui_->density()));
   };
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_.handle(), &width, &height);
-  const int x = pixels(layout.arena.corner.x), top = pixels(layout.arena.corner.y);
-  const int arena_width = std::min(pixels(layout.arena.size.x), width - x);
-  const int arena_height = std::min(pixels(layout.arena.size.y), height - top);
-  const int samples = schedule_.samples(controls_.look.samples());
-  arena_.draw(runner_.snapshot(), schedule_.fresh(), scale_, std::max(arena_width, 1),
-              std::max(arena_height, 1), samples);
   clear(gl::Palette{}.background);
-  arena_.show(x, height - top - arena_height);
+  arena_.show(pixels(layout.arena.corner.x),
+              height - pixels(layout.arena.corner.y) - pixels(layout.arena.size.y));
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, width, height);
   gui_->draw();
   glfwSwapBuffers(window_.handle());
-  events_.camera(arena_.camera());
-  events_.frame(samples);
 }
 
 }  // namespace pupflow::window

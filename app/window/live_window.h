@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/context/glfw_window.h"
+#include "app/window/arena_marks.h"
 #include "app/window/arena_view.h"
 #include "app/window/controls.h"
 #include "app/window/gui.h"
@@ -37,6 +38,7 @@ class LiveWindow {
   void frame(double now);
   void observe(bool observed);
   void fit_scale();
+  int draw_arena(const Layout& layout);
   void paint(const Layout& layout);
 
   // live_actions.cpp: what keys, buttons and the mouse do.
@@ -53,6 +55,7 @@ class LiveWindow {
   LiveJob job_;
   context::GlfwWindow window_;  // outlives everything that lives in its context
   ArenaView arena_;
+  ArenaMarks marks_;
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
   Controls controls_;
   Panels panels_;

@@ -101,7 +101,7 @@ void LiveWindow::exchange_snapshots(double now) {
     events_.snapshot(snapshot);
     const LitterView litter = snapshot.view();
     if (!snapshot.rejected.empty()) controls_.params = litter.params;
-    controls_.follow(litter.params, job_.params.schedule);
+    controls_.follow(snapshot);
   }
   if (!schedule_.wants_snapshot(now)) return;
   runner_.request();

@@ -13,15 +13,27 @@ void Controls::propose(const Params& candidate) {
   params = candidate;
 }
 
-void Controls::follow(const Params& in_force, const Schedule& schedule) {
-  for (const Change& change : schedule.changes()) {
-    for (const auto& [place, value] : change.settings) {
-      const Parameter& parameter = parameters()[place];
-      const double now = parameter.get(in_force);
-      if (now != parameter.get(seen)) parameter.set(params, now);
-    }
+void Controls::follow(const LiveState& state) {
+  const Params& in_force = state.view().params;
+  for (const Parameter& parameter : parameters()) {
+    const double now = parameter.get(in_force);
+    if (now != parameter.get(seen)) parameter.set(params, now);
   }
   seen = in_force;
+  const auto arrived = [&] {
+    return state.playing || *going_to == state.view().step || *going_to < state.timeline.first ||
+           *going_to > state.timeline.last;
+  };
+  if (going_to && arrived()) going_to.reset();
+}
+
+void Controls::go_to(std::int64_t step, const Timeline& timeline) {
+  going_to = std::clamp(step, timeline.first, timeline.last);
+  commands.push_back(GoTo{*going_to});
+}
+
+std::int64_t Controls::shown_step(const LiveState& state) const {
+  return going_to.value_or(state.view().step);
 }
 
 void Controls::color_by(const LitterField& field) {

@@ -12,6 +12,13 @@
 
 namespace pupflow::window {
 
+/// How the camera goes with the selected pup.
+enum class CameraMode {
+  free,    // it stays where it is
+  follow,  // the pup stays in the middle
+  eye      // it looks along the pup's heading, from in front of its body
+};
+
 /// The window's own state beside the simulation's, and what was asked for since the last frame.
 struct Controls {
   Params params;         // the window's copy: always sound, sent whole with every edit
@@ -20,9 +27,12 @@ struct Controls {
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
   std::optional<std::int64_t> typed_seed;  // while it is being typed
+  std::optional<int> selected;  // a pup, by its number
+  CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
   bool panels = true;
   bool help = false;
-  std::string problem;  // why the last value was not taken; empty when it was
+  std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
+  std::string problem;                   // why the last value was not taken; empty when it was
 
   std::vector<Command> commands;  // for the runner
   std::vector<Action> actions;    // as if their keys had been pressed
@@ -31,8 +41,15 @@ struct Controls {
   /// says why in `problem`.
   void propose(const Params& candidate);
 
-  /// Takes over what the schedule has changed since the last snapshot.
-  void follow(const Params& in_force, const Schedule& schedule);
+  /// Takes over the parameters that have changed since the last snapshot: by the schedule, by undo,
+  /// by going back.
+  void follow(const LiveState& state);
+
+  /// Asks for that step of the run, kept within the steps that can be gone to.
+  void go_to(std::int64_t step, const Timeline& timeline);
+
+  /// The step that is shown, or that was asked for and is still to come.
+  std::int64_t shown_step(const LiveState& state) const;
 
   /// Shows another field in colors, with the usual color map and range of its kind.
   void color_by(const LitterField& field);

@@ -101,7 +101,7 @@ void LiveWindow::exchange_snapshots(double now) {
     events_.snapshot(snapshot);
     const LitterView litter = snapshot.view();
     if (!snapshot.rejected.empty()) controls_.params = litter.params;
-    controls_.follow(litter.params, job_.params.schedule);
+    controls_.follow(snapshot);
   }
   if (!schedule_.wants_snapshot(now)) return;
   runner_.request();
@@ -116,12 +116,14 @@ void LiveWindow::frame(double now) {
       make_layout(io.DisplaySize.x, io.DisplaySize.y, gui_->scale(), controls_.panels);
   const LiveState& snapshot = runner_.snapshot();
   const double rate = snapshot.playing ? schedule_.frames_per_second() : 0;
-  const PanelInput input{snapshot, controls_, gui_->fonts(), events_, rate};
+  const PanelInput input{snapshot, controls_, gui_->fonts(), events_, tips_, rate};
+  tips_.begin_frame(layout, now);
   observe(panels_.draw(layout, input));
   fit_scale();
   draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
+  if (const auto due = tips_.due()) schedule_.wake_at(*due);
   events_.text(text_has_keyboard());
   move_camera(layout.arena, now);
   const int samples = draw_arena(layout);

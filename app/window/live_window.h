@@ -60,6 +60,7 @@ class LiveWindow {
   Controls controls_;
   Panels panels_;
   TestEvents events_;
+  Tips tips_;
   Runner runner_;
   RedrawSchedule schedule_;
   std::string message_;

@@ -23,10 +23,10 @@ enum class CameraMode {
 struct Controls {
   Params params;         // the window's copy: always sound, sent whole with every edit
   Params seen;           // those of the last snapshot
+  Params scene;          // what the run was opened with
   double speed = 1;      // times real time, unless
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
-  std::optional<std::int64_t> typed_seed;  // while it is being typed
   std::optional<int> selected;  // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
   bool panels = true;
@@ -41,6 +41,12 @@ struct Controls {
   /// says why in `problem`.
   void propose(const Params& candidate);
 
+  /// The same with one parameter changed.
+  void propose(const Parameter& parameter, double value);
+
+  /// Says why what was typed into a field was not taken.
+  void refuse(std::string_view field, std::string reason);
+
   /// Takes over the parameters that have changed since the last snapshot: by the schedule, by undo,
   /// by going back.
   void follow(const LiveState& state);
@@ -54,11 +60,16 @@ struct Controls {
   /// Shows another field in colors, with the usual color map and range of its kind.
   void color_by(const LitterField& field);
 
-  /// The slider range of `speed`.
+  /// The speeds that can be asked for, and those that a slider and the keys reach.
+  static constexpr double kLeastSpeed = 0.001, kGreatestSpeed = 1e6;
   static constexpr double kSlowest = 1.0 / 16, kFastest = 64;
 
-  /// Asks for this speed, kept within kSlowest ... kFastest.
+  /// Asks for this speed, which must be within kLeastSpeed ... kGreatestSpeed.
   void set_speed(double factor);
+
+  /// Twice the speed, or half of it, as far as the slider goes.
+  void faster();
+  void slower();
   void set_as_fast(bool on);
 };
 

@@ -138,10 +138,10 @@ void LiveWindow::perform(Action action, double now) {
       break;
     }
     case Action::faster:
-      controls_.set_speed(2 * controls_.speed);
+      controls_.faster();
       break;
     case Action::slower:
-      controls_.set_speed(controls_.as_fast ? controls_.speed : controls_.speed / 2);
+      controls_.slower();
       break;
     case Action::real_time:
       controls_.set_speed(1);

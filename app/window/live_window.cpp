@@ -45,7 +45,7 @@ LiveWindow::LiveWindow(const LiveJob& job)
                .notify = [] { glfwPostEmptyEvent(); }}),
       schedule_(drawn_by_processor()) {
   picture_path(job.screenshot, 0);  // a bad pattern fails now, not with the first screenshot
-  controls_.params = controls_.seen = job.params;
+  controls_.params = controls_.seen = controls_.scene = job.params;
   controls_.look = job.look;
   runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();

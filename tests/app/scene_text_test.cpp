@@ -44,8 +44,10 @@ class Random {
     if (parameter.kind == Parameter::Kind::integer) {
       return std::floor(low + share() * (std::min(high, kExactInteger) - low));
     }
-    const double value = low + share() * (high - low);
-    return share() < 0.5 ? value : std::clamp(value * std::pow(10, -20 * share()), low, high);
+    const double wide = low + share() * (high - low);
+    const double value = share() < 0.5 ? wide : wide * std::pow(10, -20 * share());
+    Problem unused;
+    return check_value(parameter, value, unused) ? value : parameter.default_value();
   }
 
   Change change() {

@@ -45,7 +45,7 @@ LiveWindow::LiveWindow(const LiveJob& job)
                .notify = [] { glfwPostEmptyEvent(); }}),
       schedule_(drawn_by_processor()) {
   picture_path(job.screenshot, 0);  // a bad pattern fails now, not with the first screenshot
-  controls_.params = controls_.seen = job.params;
+  controls_.params = controls_.seen = controls_.scene = job.params;
   controls_.look = job.look;
   runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();
@@ -101,7 +101,7 @@ void LiveWindow::exchange_snapshots(double now) {
     events_.snapshot(snapshot);
     const LitterView litter = snapshot.view();
     if (!snapshot.rejected.empty()) controls_.params = litter.params;
-    controls_.follow(litter.params, job_.params.schedule);
+    controls_.follow(snapshot);
   }
   if (!schedule_.wants_snapshot(now)) return;
   runner_.request();

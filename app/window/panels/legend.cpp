@@ -16,7 +16,7 @@ ImVec2 place(double x, double y) {
 void draw_label(ImDrawList& list, const ImFont& font, const view::ColorBar::Label& label) {
   const double x = aligned(font, label.x, label.text, label.size, label.align);
   const int first = list.VtxBuffer.Size;
-  draw_line(list, font, x, label.y, label.text, label.size, kInk);
+  draw_line(list, font, x, label.y, label.text, label.size, kPaperInk);
   if (!label.upwards) return;
   // A quarter turn counter-clockwise about the middle of the baseline.
   const ImVec2 middle = place(label.x, label.y);
@@ -48,14 +48,14 @@ void paint(ImDrawList& list, const ImFont& font, const view::ColorBar& layout) {
   for (const auto& fill : layout.fills) {
     list.AddRectFilled(low(fill.box), high(fill.box), packed(fill.color));
   }
-  for (const view::Box& box : layout.frames) list.AddRect(low(box), high(box), kFaint);
+  for (const view::Box& box : layout.frames) list.AddRect(low(box), high(box), kPaperFaint);
   for (const auto& s : layout.strokes) {
-    list.AddLine(place(s.x0, s.y0), place(s.x1, s.y1), kFaint, static_cast<float>(s.width));
+    list.AddLine(place(s.x0, s.y0), place(s.x1, s.y1), kPaperFaint, static_cast<float>(s.width));
   }
   for (const auto& [corners, color] : layout.triangles) {
-    list.AddTriangleFilled(place(corners[0].x(), corners[0].y()),
-                           place(corners[1].x(), corners[1].y()),
-                           place(corners[2].x(), corners[2].y()), color ? packed(*color) : kInk);
+    list.AddTriangleFilled(
+        place(corners[0].x(), corners[0].y()), place(corners[1].x(), corners[1].y()),
+        place(corners[2].x(), corners[2].y()), color ? packed(*color) : kPaperInk);
   }
   if (layout.wheel) paint_wheel(list, *layout.wheel);
   for (const auto& label : layout.labels) draw_label(list, font, label);

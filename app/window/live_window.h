@@ -9,6 +9,7 @@
 #include "app/window/controls.h"
 #include "app/window/gui.h"
 #include "app/window/live_job.h"
+#include "app/window/painter.h"
 #include "app/window/panels/panels.h"
 #include "app/window/session/redraw_schedule.h"
 #include "app/window/session/runner.h"
@@ -59,6 +60,7 @@ class LiveWindow {
   TestEvents events_;
   Runner runner_;
   RedrawSchedule schedule_;
+  Painter painter_;
   std::string message_;
   view::ColorScale scale_;  // the look's, fitted to the snapshot that is shown
   double scale_time_ = 0;   // model seconds of the snapshot that it was fitted to

@@ -1,6 +1,5 @@
 #include "app/window/live_window.h"
 
-#include <GL/glew.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -21,13 +20,6 @@ bool drawn_by_processor() {
   const std::string name = gl::renderer_name();
   return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos ||
          name.find("SwiftShader") != std::string::npos;
-}
-
-void clear(const view::Rgb& color) {
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glClearColor(static_cast<float>(color.r) / 255, static_cast<float>(color.g) / 255,
-               static_cast<float>(color.b) / 255, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
 }
 
 }  // namespace
@@ -126,13 +118,11 @@ void LiveWindow::frame(double now) {
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
   events_.text(text_has_keyboard());
   move_camera(layout.arena, now);
-  const int samples = draw_arena(layout);
+  const DrawnArena drawn = draw_arena(layout);
   gui_->end_frame();
 
   carry_out(now);
-  paint(layout);
-  events_.camera(arena_.camera());
-  events_.frame(samples);
+  paint(drawn);
   schedule_.end_frame();
 }
 
@@ -153,36 +143,37 @@ void LiveWindow::fit_scale() {
   scale_time_ = litter.time;
 }
 
-/// Into a store of its own; and what is painted over it, into the panels' list. Returns the samples.
-int LiveWindow::draw_arena(const Layout& layout) {
-  const auto pixels = [&](float length) {
-    return std::max(1, static_cast<int>(std::lround(length * gui_->density())));
-  };
-  const LiveState& snapshot = runner_.snapshot();
-  const int samples = schedule_.samples(controls_.look.samples());
-  arena_.set_look(controls_.look);
-  arena_.draw(snapshot, schedule_.fresh(), scale_, pixels(layout.arena.size.x),
-              pixels(layout.arena.size.y), samples);
-  const LitterView litter = snapshot.view();
-  marks_.paint(*ImGui::GetBackgroundDrawList(),
-               {litter, scale_, arena_.camera(), arena_.bodies(), layout.arena}, schedule_.fresh(),
-               controls_.look);
-  return samples;
-}
-
-void LiveWindow::paint(const Layout& layout) {
+/// Into a store of its own; and what is painted over it, into the panels' list.
+LiveWindow::DrawnArena LiveWindow::draw_arena(const Layout& layout) {
   const auto pixels = [&](float length) {
     return static_cast<int>(std::lround(length * gui_->density()));
   };
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_.handle(), &width, &height);
-  clear(gl::Palette{}.background);
-  arena_.show(pixels(layout.arena.corner.x),
-              height - pixels(layout.arena.corner.y) - pixels(layout.arena.size.y));
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, width, height);
-  gui_->draw();
-  glfwSwapBuffers(window_.handle());
+  PixelBox place{pixels(layout.arena.corner.x), pixels(layout.arena.corner.y),
+                 pixels(layout.arena.corner.x + layout.arena.size.x),
+                 pixels(layout.arena.corner.y + layout.arena.size.y)};
+  place.right = std::max(std::min(place.right, width), place.left + 1);
+  place.bottom = std::max(std::min(place.bottom, height), place.top + 1);
+  const int samples = schedule_.samples(controls_.look.samples());
+  const LiveState& snapshot = runner_.snapshot();
+  arena_.set_look(controls_.look);
+  const bool anew = arena_.draw(snapshot, schedule_.fresh(), scale_, place.width(), place.height(),
+                                samples);
+  const LitterView litter = snapshot.view();
+  marks_.paint(*ImGui::GetBackgroundDrawList(),
+               {litter, scale_, arena_.camera(), arena_.bodies(), layout.arena}, schedule_.fresh(),
+               controls_.look);
+  return {place, anew, samples};
+}
+
+void LiveWindow::paint(const DrawnArena& drawn) {
+  const Painter::Image arena{&arena_.store(), drawn.place};
+  if (painter_.paint(*gui_, {&arena, 1}, drawn.anew, gl::Palette{}.background)) {
+    glfwSwapBuffers(window_.handle());
+  }
+  events_.camera(arena_.camera());
+  events_.frame(drawn.samples);
 }
 
 }  // namespace pupflow::window

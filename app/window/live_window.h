@@ -10,6 +10,7 @@
 #include "app/window/controls.h"
 #include "app/window/gui.h"
 #include "app/window/live_job.h"
+#include "app/window/painter.h"
 #include "app/window/panels/panels.h"
 #include "app/window/session/redraw_schedule.h"
 #include "app/window/session/runner.h"
@@ -30,6 +31,12 @@ class LiveWindow {
   void run();
 
  private:
+  struct DrawnArena {  // in this frame
+    PixelBox place;
+    bool anew;
+    int samples;
+  };
+
   // live_window.cpp: the loop and its frames.
   bool closing() const;
   void wait_for_events();
@@ -38,8 +45,8 @@ class LiveWindow {
   void frame(double now);
   void observe(bool observed);
   void fit_scale();
-  int draw_arena(const Layout& layout);
-  void paint(const Layout& layout);
+  DrawnArena draw_arena(const Layout& layout);
+  void paint(const DrawnArena& drawn);
 
   // live_actions.cpp: what keys, buttons and the mouse do.
   void install_callbacks();
@@ -63,6 +70,7 @@ class LiveWindow {
   Tips tips_;
   Runner runner_;
   RedrawSchedule schedule_;
+  Painter painter_;
   std::string message_;
   view::ColorScale scale_;  // the look's, fitted to the snapshot that is shown
   double scale_time_ = 0;   // model seconds of the snapshot that it was fitted to

@@ -32,7 +32,10 @@ void LiveWindow::install_callbacks() {
   glfwSetCursorPosCallback(handle, event);
   glfwSetCursorEnterCallback(handle, event);
   glfwSetWindowFocusCallback(handle, event);
-  glfwSetWindowRefreshCallback(handle, event);
+  glfwSetWindowRefreshCallback(handle, [](GLFWwindow* w) {
+    window_of(w).painter_.forget();
+    window_of(w).schedule_.event();
+  });
   glfwSetFramebufferSizeCallback(handle, event);
   glfwSetWindowContentScaleCallback(handle, event);
 }
@@ -95,6 +98,10 @@ void LiveWindow::perform(Action action, double now) {
     arena_.look_from(view::Camera::parse(spec));
     schedule_.view_moved(now);
   };
+  const LiveState& shown = runner_.snapshot();
+  const auto go_by = [&](std::int64_t steps) {
+    controls_.go_to(controls_.shown_step(shown) + steps, shown.timeline);
+  };
   schedule_.panels_changed();  // the next frame shows the result
   switch (action) {
     case Action::play_pause:
@@ -106,6 +113,24 @@ void LiveWindow::perform(Action action, double now) {
     case Action::step_many:
       controls_.commands.push_back(Advance{kManySteps});
       break;
+    case Action::step_back:
+      go_by(-1);
+      break;
+    case Action::step_back_many:
+      go_by(-kManySteps);
+      break;
+    case Action::to_start:
+      controls_.go_to(shown.timeline.first, shown.timeline);
+      break;
+    case Action::to_end:
+      controls_.go_to(shown.timeline.last, shown.timeline);
+      break;
+    case Action::undo:
+      controls_.commands.push_back(Undo{});
+      break;
+    case Action::redo:
+      controls_.commands.push_back(Redo{});
+      break;
     case Action::restart:
       controls_.commands.push_back(Restart{});
       break;
@@ -116,10 +141,10 @@ void LiveWindow::perform(Action action, double now) {
       break;
     }
     case Action::faster:
-      controls_.set_speed(2 * controls_.speed);
+      controls_.faster();
       break;
     case Action::slower:
-      controls_.set_speed(controls_.as_fast ? controls_.speed : controls_.speed / 2);
+      controls_.slower();
       break;
     case Action::real_time:
       controls_.set_speed(1);

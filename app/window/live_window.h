@@ -5,10 +5,12 @@
 #include <string>
 
 #include "app/context/glfw_window.h"
+#include "app/window/arena_marks.h"
 #include "app/window/arena_view.h"
 #include "app/window/controls.h"
 #include "app/window/gui.h"
 #include "app/window/live_job.h"
+#include "app/window/painter.h"
 #include "app/window/panels/panels.h"
 #include "app/window/session/redraw_schedule.h"
 #include "app/window/session/runner.h"
@@ -29,6 +31,12 @@ class LiveWindow {
   void run();
 
  private:
+  struct DrawnArena {  // in this frame
+    PixelBox place;
+    bool anew;
+    int samples;
+  };
+
   // live_window.cpp: the loop and its frames.
   bool closing() const;
   void wait_for_events();
@@ -37,7 +45,8 @@ class LiveWindow {
   void frame(double now);
   void observe(bool observed);
   void fit_scale();
-  void paint(const Layout& layout);
+  DrawnArena draw_arena(const Layout& layout);
+  void paint(const DrawnArena& drawn);
 
   // live_actions.cpp: what keys, buttons and the mouse do.
   void install_callbacks();
@@ -53,12 +62,15 @@ class LiveWindow {
   LiveJob job_;
   context::GlfwWindow window_;  // outlives everything that lives in its context
   ArenaView arena_;
+  ArenaMarks marks_;
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
   Controls controls_;
   Panels panels_;
   TestEvents events_;
+  Tips tips_;
   Runner runner_;
   RedrawSchedule schedule_;
+  Painter painter_;
   std::string message_;
   view::ColorScale scale_;  // the look's, fitted to the snapshot that is shown
   double scale_time_ = 0;   // model seconds of the snapshot that it was fitted to

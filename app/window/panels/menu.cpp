@@ -19,8 +19,10 @@ struct Menu {
 constexpr std::array kMenus{
     Menu{"Scene", {Action::screenshot, Action::quit}, 2},
     Menu{"Run",
-         {Action::play_pause, Action::step, Action::step_many, Action::restart, Action::new_seed},
-         5},
+         {Action::play_pause, Action::step, Action::step_many, Action::step_back,
+          Action::step_back_many, Action::restart, Action::new_seed},
+         7},
+    Menu{"Edit", {Action::undo, Action::redo}, 2},
     Menu{"View",
          {Action::reset_camera, Action::top_view, Action::side_view, Action::toggle_panels},
          4},

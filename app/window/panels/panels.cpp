@@ -30,7 +30,7 @@ void draw_problem(const PanelInput& in) {
   ImGui::PushStyleColor(ImGuiCol_Text, kBad);
   ImGui::TextUnformatted(text.empty() ? " " : text.c_str());
   ImGui::PopStyleColor();
-  if (!text.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+  if (!text.empty()) in.tips.show(text);
 }
 
 /// The model as published; the seed and what does not change the model stay.
@@ -82,9 +82,7 @@ void Panels::draw_parameters(const PanelInput& in) {
     in.controls.propose(papers_values(in.controls.params));
   }
   in.events.widget("reset");
-  if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("All but seed and precision. The litter restarts where it must.");
-  }
+  in.tips.show("All but seed and precision. The litter restarts where it must.");
   ImGui::TextDisabled("\u21bb restarts the litter");
 }
 

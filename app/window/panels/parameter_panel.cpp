@@ -44,15 +44,7 @@ void propose_value(const Parameter& parameter, double value, const PanelInput& i
 }
 
 void tooltip(const Parameter& parameter, const PanelInput& in) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
-      ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    return;
-  }
-  // Beside the panel, where it hides no other slider.
-  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
-  ImGui::SetNextWindowPos({right + 0.3f * ImGui::GetFontSize(), ImGui::GetItemRectMin().y});
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
+  if (!in.tips.begin()) return;
   std::string title(parameter.title);
   if (!parameter.symbol.empty()) title = std::string(parameter.symbol) + "  " + title;
   rich_text(in.fonts, kAccent, title);
@@ -68,8 +60,7 @@ void tooltip(const Parameter& parameter, const PanelInput& in) {
   if (parameter.effect == Parameter::Effect::restart) {
     ImGui::TextUnformatted("A change restarts the litter.");
   }
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+  in.tips.end();
 }
 
 void choice(const Parameter& parameter, const PanelInput& in) {

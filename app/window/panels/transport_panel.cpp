@@ -8,19 +8,11 @@
 namespace pupflow::window {
 namespace {
 
-void tip(const char* text) {
-  if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
-  // Beside the panel, where it hides nothing of it.
-  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
-  ImGui::SetNextWindowPos({right + 0.3f * ImGui::GetFontSize(), ImGui::GetItemRectMin().y});
-  ImGui::SetTooltip("%s", text);
-}
-
 void button(const char* label, const char* name, const char* doc, Action action, float width,
             const PanelInput& in) {
   if (ImGui::Button(label, {width, 0})) in.controls.actions.push_back(action);
   in.events.widget(name);
-  tip(doc);
+  in.tips.show(doc);
 }
 
 void draw_buttons(const PanelInput& in) {
@@ -70,12 +62,12 @@ void draw_speed(const PanelInput& in) {
     in.controls.set_speed(speed);
   }
   in.events.widget("speed");
-  tip("Model time against real time (+ and -, 1 for real time)");
+  in.tips.show("Model time against real time (+ and -, 1 for real time)");
   ImGui::SameLine();
   bool as_fast = in.controls.as_fast;
   if (ImGui::Checkbox(label, &as_fast)) in.controls.set_as_fast(as_fast);
   in.events.widget("as_fast");
-  tip("Step without regard to the clock (F)");
+  in.tips.show("Step without regard to the clock (F)");
 }
 
 void draw_seed(const PanelInput& in) {
@@ -95,11 +87,11 @@ void draw_seed(const PanelInput& in) {
     in.controls.propose(candidate);
   }
   if (!ImGui::IsItemActive()) in.controls.typed_seed.reset();
-  tip("Fixes every random number. Type another and press Enter: the litter starts again.");
+  in.tips.show("Fixes every random number. Type another and press Enter: the litter starts again.");
   ImGui::SameLine();
   if (ImGui::Button("New seed", {button_width, 0})) in.controls.actions.push_back(Action::new_seed);
   in.events.widget("new_seed");
-  tip("Start again with a random seed (Shift + R)");
+  in.tips.show("Start again with a random seed (Shift + R)");
 }
 
 }  // namespace

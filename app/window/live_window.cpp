@@ -117,7 +117,10 @@ void LiveWindow::frame(double now) {
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
   events_.text(text_has_keyboard());
+  point_at_pups(layout.arena);
   move_camera(layout.arena, now);
+  lead_camera(now);
+  controls_.watch();
   const DrawnArena drawn = draw_arena(layout);
   gui_->end_frame();
 
@@ -158,12 +161,12 @@ LiveWindow::DrawnArena LiveWindow::draw_arena(const Layout& layout) {
   const int samples = schedule_.samples(controls_.look.samples());
   const LiveState& snapshot = runner_.snapshot();
   arena_.set_look(controls_.look);
-  const bool anew = arena_.draw(snapshot, schedule_.fresh(), scale_, place.width(), place.height(),
-                                samples);
+  const bool anew =
+      arena_.draw(snapshot, schedule_.fresh(), scale_, place.width(), place.height(), samples);
   const LitterView litter = snapshot.view();
   marks_.paint(*ImGui::GetBackgroundDrawList(),
                {litter, scale_, arena_.camera(), arena_.bodies(), layout.arena}, schedule_.fresh(),
-               controls_.look);
+               controls_.look, selection_marks());
   return {place, anew, samples};
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/view/camera.h"
+#include "app/window/controls.h"
 #include "app/window/session/session.h"
 
 namespace pupflow::window {
@@ -23,6 +24,8 @@ namespace pupflow::window {
 ///   warning MESSAGE       a warning of the engine, when it is new
 ///   text on|off           whether a text field has the keyboard
 ///   help shown|hidden, camera AZIMUTH ELEVATION DISTANCE, screenshot PATH
+///   selected PUP|none, view free|follow|eye
+///   field NAME TEXT       a field of the selected pup as the inspector shows it, when it changes
 ///   samples N             the arena has N x N samples a pixel, when N changes
 ///   frames N              the window is closed after drawing N frames
 class TestEvents {
@@ -37,6 +40,10 @@ class TestEvents {
   void help(bool shown);
   void text(bool has_keyboard);
   void camera(const view::Camera& camera);
+  void selected(std::optional<int> pup, CameraMode mode);
+
+  /// What the inspector shows in one of its rows.
+  void field(std::string_view name, const std::string& text);
   void screenshot(const std::string& path);
   void frame(int samples);
   void closed() const;
@@ -51,6 +58,9 @@ class TestEvents {
   std::optional<Params> params_;
   std::optional<bool> playing_, help_, text_;
   std::optional<view::Camera> camera_;
+  std::optional<int> selected_;
+  CameraMode mode_ = CameraMode::free;
+  std::map<std::string, std::string, std::less<>> fields_;
   std::int64_t step_ = -1;
   std::optional<std::uint64_t> hash_;
   Clock::time_point step_said_{};

@@ -35,6 +35,7 @@ struct Controls {
   bool help = false;
   std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
   std::string problem;                   // why the last value was not taken; empty when it was
+  std::string problem_at;                // the parameter or field that it is about
 
   std::vector<Command> commands;  // for the runner
   std::vector<Action> actions;    // as if their keys had been pressed

@@ -27,6 +27,7 @@ struct Controls {
   double speed = 1;      // times real time, unless
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
+  std::optional<std::int64_t> typed_seed;     // while it is being typed
   std::optional<int> selected;                // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
   Watch inspected;  // what the inspector shows; nothing while it is closed

@@ -49,11 +49,13 @@ Params papers_values(const Params& present) {
 bool Panels::draw(const Layout& layout, const PanelInput& in) {
   bool observed = false;
   draw_menu(in);
+  in.controls.inspected = {};
   if (in.controls.panels) {
     begin_panel("left", layout.left);
     parameters_.draw_top(in);
     draw_problem(in);
     if (!layout.two_panels) {
+      inspector_.draw(in);
       observed = draw_numbers_panel(in);
       draw_look_panel(in);
     }
@@ -62,6 +64,7 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
   }
   if (layout.two_panels) {
     begin_panel("right", layout.right);
+    inspector_.draw(in);
     observed = draw_numbers_panel(in);
     draw_look_panel(in);
     ImGui::End();

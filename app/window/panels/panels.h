@@ -1,6 +1,7 @@
 // All panels of the window, in their places.
 #pragma once
 
+#include "app/window/panels/inspector_panel.h"
 #include "app/window/panels/layout.h"
 #include "app/window/panels/panel.h"
 #include "app/window/panels/parameter_panel.h"
@@ -16,6 +17,7 @@ class Panels {
   void draw_parameters(const PanelInput& in);
 
   ParameterPanel parameters_;
+  InspectorPanel inspector_;
 };
 
 }  // namespace pupflow::window

@@ -43,6 +43,23 @@ void draw_ahead(ImDrawList& list, ImVec2 place, float em) {
   list.AddCircleFilled(place, 0.16f * em, kCellInk);
 }
 
+/// The colors of `field` for these values. Temperatures go from T_a to T_p, or as far as there are
+/// any: what touches and what does not stand apart.
+view::ColorScale scale_of(const LitterField& field, const std::vector<double>& values,
+                          const Params& params) {
+  view::ColorScale scale(field);
+  if (!scale.is_temperature()) return scale.fitted(values);
+  double low = std::min(params.ambient_temperature, params.preferred_temperature);
+  double high = std::max(params.ambient_temperature, params.preferred_temperature);
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (low < high && std::isfinite(high - low)) scale.set_range(low, high);
+  return scale.fitted(values);
+}
+
 Eigen::Vector3d towards(double heading) {
   return {std::cos(heading), std::sin(heading), 0};
 }
@@ -52,10 +69,8 @@ Eigen::Vector3d towards(double heading) {
 AfferentMapPanel::Look AfferentMapPanel::look_at(const PanelInput& in, int pup) const {
   const LitterView litter = in.state.view();
   const int k = litter.params.face_points;
-  const view::ColorScale& shown = in.controls.look.scale;
-  Look look{values_of(*field_, litter, pup), {}, {}, 0, view::ColorScale(*field_)};
-  if (shown.field->name == field_->name) look.scale = shown;
-  look.scale = look.scale.fitted(look.values, litter.params.preferred_temperature);
+  Look look{values_of(*field_, litter, pup), {}, {}, 0, {}};
+  look.scale = scale_of(*field_, look.values, litter.params);
   for (std::size_t i = 0; i < look.values.size(); ++i) {
     look.colors.push_back(static_cast<int>(i) == hovered_ ? kCellInk
                                                           : packed(look.scale(look.values[i])));
@@ -196,6 +211,23 @@ void AfferentMapPanel::draw_cross(const PanelInput& in, int pup, const Look& loo
     const Eigen::Vector2d low(one.x, one.y), high(one.x + 1, one.y + 1);
     list.AddRect(at(low), at(high), kFaint);
     spot(list, in.fonts, at(low + Eigen::Vector2d(0.16, 0.14)), one.name);
+  }
+  // The letters stand where most of the left and of the right is.
+  for (const int side : {0, 1}) {
+    std::array<Eigen::Vector2d, 6> sum;
+    std::array<int, 6> count{};
+    sum.fill(Eigen::Vector2d::Zero());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (int{look.left[i]} != side) continue;
+      const std::size_t one = i / static_cast<std::size_t>(k * k);
+      sum[one] += cells[i] + edge / 2;
+      ++count[one];
+    }
+    const auto most =
+        static_cast<std::size_t>(std::max_element(count.begin(), count.end()) - count.begin());
+    if (count[most] > 0) {
+      spot(list, in.fonts, at(sum[most] / count[most]), side == 1 ? "left" : "right");
+    }
   }
   draw_ahead(list, at(cells[static_cast<std::size_t>(look.ahead)] + edge / 2), em);
 

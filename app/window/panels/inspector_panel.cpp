@@ -23,6 +23,25 @@ bool toggle(const char* label, bool on, float width) {
   return pressed;
 }
 
+/// The label in the room that there is: as it is, small, or else the symbol.
+void draw_label(const PanelInput& in, const LitterField& field) {
+  const float room = ImGui::GetContentRegionAvail().x;
+  const std::string label(field.label);
+  const float size = in.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
+  const auto fits = [&](const ImFont& font, float em) {
+    return font.CalcTextSizeA(em, FLT_MAX, 0, label.c_str()).x <= room;
+  };
+  if (fits(*in.fonts.text, ImGui::GetFontSize())) {
+    ImGui::TextUnformatted(label.c_str());
+  } else if (fits(*in.fonts.small, size) || field.symbol.empty()) {
+    ImGui::PushFont(in.fonts.small);
+    ImGui::TextUnformatted(label.c_str());
+    ImGui::PopFont();
+  } else {
+    rich_text(in.fonts, kInk, field.symbol);
+  }
+}
+
 /// On this line if there is room for a button of that width, else on the next.
 void next_button(float width) {
   ImGui::SameLine();
@@ -97,19 +116,21 @@ void InspectorPanel::draw_fields(const PanelInput& in) const {
   const float em = ImGui::GetFontSize();
   if (!ImGui::BeginTable("fields", 4)) return;
   ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("curve", ImGuiTableColumnFlags_WidthFixed, 4.6f * em);
-  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, 3.3f * em);
-  ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, 3.4f * em);
+  ImGui::TableSetupColumn("curve", ImGuiTableColumnFlags_WidthFixed, 2.6f * em);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, 3.1f * em);
+  ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, 2.8f * em);
   for (std::size_t i = 0; i < pup_fields().size(); ++i) {
     const LitterField& field = pup_fields()[i];
     const std::string text = shown(field, curves_.samples().back().values[i]);
     ImGui::TableNextColumn();
-    std::string label(field.label);
-    if (!field.symbol.empty() && field.label != field.symbol)
-      label = std::string(field.symbol) + "  " + label;
-    rich_text(in.fonts, kInk, label);
-    in.tips.show(std::string(field.label) + "\n" + std::string(field.doc) + "\n" +
-                 std::string(field.equation));
+    draw_label(in, field);
+    if (in.tips.begin()) {
+      const std::string symbol = field.symbol.empty() ? "" : std::string(field.symbol) + "  ";
+      rich_text(in.fonts, kAccent, symbol + std::string(field.label));
+      ImGui::TextUnformatted(std::string(field.doc).c_str());
+      if (!field.equation.empty()) ImGui::TextDisabled("%s", std::string(field.equation).c_str());
+      in.tips.end();
+    }
     ImGui::TableNextColumn();
     draw_curve(i);
     ImGui::TableNextColumn();
@@ -117,7 +138,9 @@ void InspectorPanel::draw_fields(const PanelInput& in) const {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(room, 0.0f));
     ImGui::TextUnformatted(text.c_str());
     ImGui::TableNextColumn();
+    ImGui::PushFont(in.fonts.small);
     ImGui::TextDisabled("%s", std::string(field.unit).c_str());
+    ImGui::PopFont();
     if (!in.state.playing) in.events.field(field.name, text);
   }
   ImGui::EndTable();

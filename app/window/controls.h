@@ -22,6 +22,8 @@ struct Controls {
   pictures::Look look;
   bool panels = true;
   bool help = false;
+  std::vector<std::string> recent;       // files, the last one first
+  std::string open;                      // a shipped scene or a file to open now; empty: none
   std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
   std::string problem;                   // why the last value was not taken; empty when it was
 

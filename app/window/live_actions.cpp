@@ -35,6 +35,7 @@ void LiveWindow::install_callbacks() {
   glfwSetWindowRefreshCallback(handle, event);
   glfwSetFramebufferSizeCallback(handle, event);
   glfwSetWindowContentScaleCallback(handle, event);
+  install_desk_callbacks();
 }
 
 void LiveWindow::install_key_callback() {
@@ -54,6 +55,11 @@ bool LiveWindow::text_has_keyboard() {
 }
 
 void LiveWindow::key(int code, int mods, bool repeated) {
+  if (dialogs_.shown()) {
+    if (code == GLFW_KEY_ESCAPE) dialogs_.cancel();
+    if (code == GLFW_KEY_ENTER || code == GLFW_KEY_KP_ENTER) dialogs_.accept();
+    return;
+  }
   if (text_has_keyboard()) return;
   if (const auto action = action_for(code, mods, repeated)) controls_.actions.push_back(*action);
 }
@@ -171,8 +177,11 @@ void LiveWindow::perform(Action action, double now) {
       if (controls_.help) {
         controls_.help = false;
       } else {
-        glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+        quit();
       }
+      break;
+    default:
+      desk_action(action);
       break;
   }
 }

@@ -1,6 +1,7 @@
 // The window's loop: events in, commands to the runner, frames out.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -9,9 +10,12 @@
 #include "app/window/controls.h"
 #include "app/window/gui.h"
 #include "app/window/live_job.h"
+#include "app/window/panels/dialogs.h"
 #include "app/window/panels/panels.h"
+#include "app/window/scene_desk.h"
 #include "app/window/session/redraw_schedule.h"
 #include "app/window/session/runner.h"
+#include "app/window/settings.h"
 #include "app/window/test_events.h"
 
 namespace pupflow::window {
@@ -21,7 +25,7 @@ namespace pupflow::window {
 class LiveWindow {
  public:
   /// Opens the window. Throws Failure and InvalidParams.
-  explicit LiveWindow(const LiveJob& job);
+  LiveWindow(const LiveJob& job, const Settings& settings);
   LiveWindow(const LiveWindow&) = delete;
   LiveWindow& operator=(const LiveWindow&) = delete;
 
@@ -50,6 +54,26 @@ class LiveWindow {
   void take_picture();
   void show(const std::string& message);
 
+  // live_desk.cpp: scenes, settings, closing.
+  void install_desk_callbacks();
+  bool changed() const;
+  void desk_frame(const PanelInput& input);
+  void desk_action(Action action);
+  void ask_before(const std::string& what, std::function<void()> next);
+  void answer(const Dialogs::Answer& answer);
+  void ask_for_name();
+  bool save_as(const std::string& path);
+  void open(const std::string& source);
+  void take(const Opened& opened);
+  void open_dropped(const std::string& path);
+  void quit();
+  void copy_command();
+  void resize_text(int direction);
+  void switch_full_screen();
+  Settings present() const;
+  void keep_settings();
+  void show_title();
+
   LiveJob job_;
   context::GlfwWindow window_;  // outlives everything that lives in its context
   ArenaView arena_;
@@ -59,6 +83,15 @@ class LiveWindow {
   TestEvents events_;
   Runner runner_;
   RedrawSchedule schedule_;
+  SceneDesk desk_;
+  Dialogs dialogs_;
+  std::function<void()> next_;   // once the changes are saved or discarded; empty: nothing
+  Settings settings_, written_;  // to keep, and as the file has them
+  Settings seen_;                // the window as it was when they were last looked at
+  const LitterField* seen_field_ = nullptr;
+  bool settings_fail_ = false;  // it was said
+  std::string title_;
+  Area windowed_;  // where the window was before it was full screen
   std::string message_;
   view::ColorScale scale_;  // the look's, fitted to the snapshot that is shown
   double scale_time_ = 0;   // model seconds of the snapshot that it was fitted to

@@ -90,6 +90,26 @@ void TestEvents::screenshot(const std::string& path) {
   if (on_) say("screenshot " + path);
 }
 
+void TestEvents::title(const std::string& text) {
+  if (on_) say("title " + text);
+}
+
+void TestEvents::opened(const std::string& source) {
+  if (on_) say("opened " + source);
+}
+
+void TestEvents::saved(const std::string& path) {
+  if (on_) say("saved " + path);
+}
+
+void TestEvents::refused(const std::string& reason) {
+  if (on_) say("refused " + reason);
+}
+
+void TestEvents::copied(const std::string& command) {
+  if (on_) say("copied " + command);
+}
+
 void TestEvents::frame(int samples) {
   ++frames_;
   if (on_ && samples_ != samples) say("samples " + std::to_string(samples));

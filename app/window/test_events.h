@@ -22,6 +22,8 @@ namespace pupflow::window {
 ///   bad MESSAGE           the status, when it is bad
 ///   warning MESSAGE       a warning of the engine, when it is new
 ///   text on|off           whether a text field has the keyboard
+///   title TEXT            the window's title, when it changes
+///   opened SOURCE, saved PATH, copied COMMAND, refused REASON
 ///   help shown|hidden, camera AZIMUTH ELEVATION DISTANCE, screenshot PATH
 ///   samples N             the arena has N x N samples a pixel, when N changes
 ///   frames N              the window is closed after drawing N frames
@@ -38,6 +40,11 @@ class TestEvents {
   void text(bool has_keyboard);
   void camera(const view::Camera& camera);
   void screenshot(const std::string& path);
+  void title(const std::string& text);
+  void opened(const std::string& source);
+  void saved(const std::string& path);
+  void refused(const std::string& reason);
+  void copied(const std::string& command);
   void frame(int samples);
   void closed() const;
 

@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support/scratch.h"
+
 extern char** environ;
 
 namespace pupflow::testing {
@@ -26,7 +28,18 @@ std::string name_of(const std::string& setting) {
   return setting.substr(0, setting.find('='));
 }
 
-std::vector<std::string> merged(const Environment& changes) {
+/// No program here reads or writes the settings of whoever runs the tests. Those that one window of
+/// a test keeps the next one finds.
+std::string settings_folder() {
+  static const test::Scratch scratch;
+  return "XDG_CONFIG_HOME=" + scratch.folder().string();
+}
+
+std::vector<std::string> merged(Environment changes) {
+  const bool chosen = std::any_of(changes.begin(), changes.end(), [](const std::string& change) {
+    return name_of(change) == "XDG_CONFIG_HOME";
+  });
+  if (!chosen) changes.push_back(settings_folder());
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const bool changed =

@@ -33,6 +33,8 @@ void Session::apply(const Command& command) {
           edit(asked);
         } else if constexpr (std::is_same_v<Asked, Restart>) {
           restart_as_begun();
+        } else if constexpr (std::is_same_v<Asked, Open>) {
+          open(asked);
         } else if constexpr (std::is_same_v<Asked, Observe>) {
           observe(asked.on);
         } else if constexpr (std::is_same_v<Asked, ColorBy>) {
@@ -80,6 +82,17 @@ void Session::restart_as_begun() {
   }
   start.schedule = begun_with_;
   restart(start);
+}
+
+void Session::open(const Open& asked) {
+  rejected_.clear();
+  from_ = asked.from;
+  begun_with_ = asked.params.schedule;
+  if (from_) {
+    begin(Simulation(*from_));
+  } else {
+    restart(asked.params);
+  }
 }
 
 void Session::restart(const Params& params) {

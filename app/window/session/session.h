@@ -27,12 +27,16 @@ struct Speed {  // times real time; infinite: as fast as possible
 struct Edit {  // a whole parameter set; a new litter when one that defines it differs
   Params params;
   std::optional<Params> before =
-      {};  // what the user saw: only what differs from it is changed, so that
-           // the schedule goes on with the rest
+      {};                  // what the user saw: only what differs from it is changed, so that
+                           // the schedule goes on with the rest
   bool continues = false;  // the same drag of a slider goes on: one undo takes all of it back
 };
 struct Restart {};  // the same litter from t = 0
-struct Observe {    // whether the observables are shown
+struct Open {       // another recipe, from the start or as that snapshot of it is
+  Params params;
+  std::optional<Snapshot> from;
+};
+struct Observe {  // whether the observables are shown
   bool on;
 };
 struct ColorBy {  // the field of a pup or an afferent that is shown as color
@@ -65,8 +69,8 @@ struct Compare {               // step a second litter beside this one; none: on
   std::optional<Params> with;  // what differs from the present parameters differs in it
   bool from_now = false;       // it begins as this litter is now; otherwise both begin anew
 };
-using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Observe, ColorBy, Watch,
-                             Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare>;
+using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Open, Observe, ColorBy,
+                             Watch, Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare>;
 
 /// A run so far, which can be gone back to.
 struct Timeline {
@@ -137,6 +141,7 @@ class Session {
  private:
   void edit(const Edit& asked);
   void restart_as_begun();
+  void open(const Open& asked);
   void restart(const Params& params);
   void begin(Simulation simulation);
   void observe(bool on);

@@ -26,16 +26,17 @@ struct Controls {
   std::string open;                      // a shipped scene or a file to open now; empty: none
   std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
   std::string problem;                   // why the last value was not taken; empty when it was
+  std::string problem_at;                // the parameter or field that it is about
 
   std::vector<Command> commands;  // for the runner
   std::vector<Action> actions;    // as if their keys had been pressed
 
   /// Makes `candidate` the parameters and asks the runner to take them, if it is sound; otherwise
-  /// says why in `problem`.
-  void propose(const Params& candidate);
+  /// says why in `problem`. `continues`: undo takes it back together with the edit before.
+  void propose(const Params& candidate, bool continues = false);
 
   /// The same with one parameter changed.
-  void propose(const Parameter& parameter, double value);
+  void propose(const Parameter& parameter, double value, bool continues = false);
 
   /// Says why what was typed into a field was not taken.
   void refuse(std::string_view field, std::string reason);

@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "app/window/panels/legend.h"
+#include "app/window/panels/transport_plan.h"
 
 namespace pupflow::window {
 namespace {
 
-constexpr float kLeftWidth = 424, kRightWidth = 290, kLeastArena = 400;
-constexpr float kMenuHeight = 24, kTransportHeight = 74;
+constexpr float kLeftWidth = 440, kRightWidth = 290, kLeastArena = 400;
+constexpr float kMenuHeight = 24;
 
 }  // namespace
 
@@ -16,9 +17,10 @@ Layout make_layout(float width, float height, float scale, bool panels) {
   Layout layout;
   const float left = panels ? std::min(kLeftWidth * scale, 0.6f * width) : 0;
   const float right = kRightWidth * scale;
-  const float top = kMenuHeight * scale, low = kTransportHeight * scale;
+  const float top = kMenuHeight * scale;
   layout.two_panels = panels && width >= left + right + kLeastArena * scale;
   const float arena_end = layout.two_panels ? width - right : width;
+  const float low = transport_height(arena_end - left, scale);
   const float bar = std::min(kLegendWidth * scale, 0.3f * (arena_end - left));
   const float between = std::max(height - top - low, 1.0f);
   layout.menu = {{0, 0}, {width, top}};

@@ -4,6 +4,7 @@
 #include "app/window/panels/layout.h"
 #include "app/window/panels/panel.h"
 #include "app/window/panels/parameter_panel.h"
+#include "app/window/panels/transport_panel.h"
 
 namespace pupflow::window {
 
@@ -13,9 +14,8 @@ class Panels {
   bool draw(const Layout& layout, const PanelInput& in);
 
  private:
-  void draw_parameters(const PanelInput& in);
-
   ParameterPanel parameters_;
+  TransportPanel transport_;
 };
 
 }  // namespace pupflow::window

@@ -28,18 +28,11 @@ std::string name_of(const std::string& setting) {
   return setting.substr(0, setting.find('='));
 }
 
-/// No program here reads or writes the settings of whoever runs the tests. Those that one window of
-/// a test keeps the next one finds.
-std::string settings_folder() {
-  static const test::Scratch scratch;
-  return "XDG_CONFIG_HOME=" + scratch.folder().string();
-}
-
 std::vector<std::string> merged(Environment changes) {
   const bool chosen = std::any_of(changes.begin(), changes.end(), [](const std::string& change) {
     return name_of(change) == "XDG_CONFIG_HOME";
   });
-  if (!chosen) changes.push_back(settings_folder());
+  if (!chosen) changes.push_back("XDG_CONFIG_HOME=" + config_folder());
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const bool changed =
@@ -61,6 +54,11 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 }
 
 }  // namespace
+
+std::string config_folder() {
+  static const test::Scratch scratch;
+  return scratch.folder().string();
+}
 
 Child::Child(const ChildOptions& options) {
   std::array<int, 2> pipe{};

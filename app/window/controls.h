@@ -26,10 +26,12 @@ struct Controls {
   double speed = 1;      // times real time, unless
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
-  std::optional<std::int64_t> typed_seed;  // while it is being typed
-  std::optional<int> selected;  // a pup, by its number
+  std::optional<std::int64_t> typed_seed;     // while it is being typed
+  std::optional<int> selected;                // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
-  bool panels = true;
+  bool panels = true;                         // beside the arena
+  bool drawer = false;                        // the panel over the arena, in a window that is
+  bool narrow = false;                        // too narrow for panels beside it
   bool help = false;
   std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
   std::string problem;                   // why the last value was not taken; empty when it was

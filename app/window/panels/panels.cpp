@@ -1,7 +1,10 @@
 #include "app/window/panels/panels.h"
 
+#include <array>
+#include <cmath>
 #include <string>
 
+#include "app/window/panels/help.h"
 #include "app/window/panels/look_panel.h"
 #include "app/window/panels/menu.h"
 #include "app/window/panels/numbers_panel.h"
@@ -16,12 +19,20 @@ constexpr ImGuiWindowFlags kPanel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+constexpr const char *kLeft = "left", *kRight = "right", *kTransport = "transport";
+
 void begin_panel(const char* name, const Area& area) {
   ImGui::SetNextWindowPos(area.corner);
   ImGui::SetNextWindowSize(area.size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::Begin(name, nullptr, kPanel);
   ImGui::PopStyleVar();
+}
+
+/// What the window being submitted needs to show everything submitted so far.
+float content_height() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  return std::ceil(ImGui::GetCursorPosY() - style.ItemSpacing.y + style.WindowPadding.y);
 }
 
 /// Always there, so that nothing moves when it speaks.
@@ -46,11 +57,16 @@ Params papers_values(const Params& present) {
 
 }  // namespace
 
+std::span<const char* const> Panels::names() {
+  static constexpr std::array kNames{kLeft, kRight, kTransport};
+  return kNames;
+}
+
 bool Panels::draw(const Layout& layout, const PanelInput& in) {
   bool observed = false;
   draw_menu(in);
-  if (in.controls.panels) {
-    begin_panel("left", layout.left);
+  if (layout.left.size.x > 0) {
+    begin_panel(kLeft, layout.left);
     parameters_.draw_top(in);
     draw_problem(in);
     if (!layout.two_panels) {
@@ -61,17 +77,18 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
     ImGui::End();
   }
   if (layout.two_panels) {
-    begin_panel("right", layout.right);
+    begin_panel(kRight, layout.right);
     observed = draw_numbers_panel(in);
     draw_look_panel(in);
     ImGui::End();
   }
-  begin_panel("transport", layout.transport);
+  begin_panel(kTransport, layout.transport);
   draw_transport_panel(in);
+  transport_height_ = content_height();
   ImGui::End();
   draw_warnings(layout.arena, in);
   draw_bad_status(layout.arena, in);
-  draw_help(layout.arena, in);
+  draw_help(in);
   return observed;
 }
 

@@ -25,7 +25,7 @@ class ArenaView {
   // The mouse: turns by radians, moves by shares of the picture's height, comes nearer by a factor.
   void orbit(double d_azimuth, double d_elevation) { camera_.orbit(d_azimuth, d_elevation); }
   void pan(double right, double up) { camera_.pan(right, up); }
-  void zoom(double factor) { camera_.zoom(factor); }
+  void zoom_at(double factor, double right, double up) { camera_.zoom_at(factor, right, up); }
 
   const view::Camera& camera() const { return camera_; }
 

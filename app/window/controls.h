@@ -33,6 +33,7 @@ struct Controls {
   bool drawer = false;                        // the panel over the arena, in a window that is
   bool narrow = false;                        // too narrow for panels beside it
   bool help = false;
+  bool pause_minimised = false;          // a minimised window takes no steps
   std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
   std::string problem;                   // why the last value was not taken; empty when it was
 

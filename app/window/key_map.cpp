@@ -93,7 +93,8 @@ constexpr std::array kKeys{
 constexpr std::array kMouse{
     MouseRow{"Left drag", "turn the view"},
     MouseRow{"Right or middle drag, Shift + left drag", "move the view"},
-    MouseRow{"Wheel", "nearer or further"},
+    MouseRow{"Wheel", "nearer or further, towards the cursor"},
+    MouseRow{"Minimise the window", "the run goes on, unless Run > pause when minimised"},
     MouseRow{"Ctrl + click on a slider", "type a number, also one beyond the slider's ends"},
 };
 

@@ -83,7 +83,9 @@ void LiveWindow::move_camera(const Area& arena, double now) {
     }
   }
   if (io.MouseWheel != 0 && arena.holds(io.MousePos)) {
-    arena_.zoom(std::pow(kZoomPerNotch, io.MouseWheel));
+    const ImVec2 middle = arena.middle();
+    arena_.zoom_at(std::pow(kZoomPerNotch, io.MouseWheel), share(io.MousePos.x - middle.x),
+                   share(middle.y - io.MousePos.y));
     schedule_.view_moved(now);
   }
 }

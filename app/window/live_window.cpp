@@ -91,7 +91,8 @@ void LiveWindow::follow_visibility() {
                        glfwGetWindowAttrib(window_.handle(), GLFW_ICONIFIED) == GLFW_FALSE;
   if (visible == schedule_.visible()) return;
   schedule_.set_visible(visible);
-  runner_.send(Suspend{!visible});
+  events_.visible(visible);
+  runner_.send(Suspend{!visible && controls_.pause_minimised});
 }
 
 void LiveWindow::exchange_snapshots(double now) {
@@ -124,6 +125,7 @@ void LiveWindow::frame(double now) {
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
+  events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
   move_camera(layout.arena, now);
   gui_->end_frame();

@@ -1,7 +1,6 @@
 // Lines on standard output for tests that work the window from outside.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <map>
 #include <optional>
@@ -9,12 +8,17 @@
 #include <string_view>
 
 #include "app/view/camera.h"
+#include "app/window/panels/area.h"
 #include "app/window/session/session.h"
 
 namespace pupflow::window {
 
 /// When switched on, prints one line for each event:
-///   widget NAME X Y W H   where a widget is (window coordinates), when it appears or moves
+///   widget NAME X Y W H in PANEL CX CY CW CH [scrolls]
+///                         where a widget is (window coordinates), when it appears or moves; the
+///                         panel it belongs to, the part of it that shows widgets, and whether
+///                         there is more to see by scrolling
+///   gone NAME             that widget cannot be seen any more
 ///   value NAME VALUE      a parameter as the simulation has taken it, when it changes
 ///   state playing|paused
 ///   step N                at rest after every change, else now and then
@@ -24,6 +28,8 @@ namespace pupflow::window {
 ///   text on|off           whether a text field has the keyboard
 ///   help shown|hidden, camera AZIMUTH ELEVATION DISTANCE, screenshot PATH
 ///   samples N             the arena has N x N samples a pixel, when N changes
+///   tip X Y W H, tip none  where the tooltip is
+///   visible yes|no        the window was minimised or shown again
 ///   frames N              the window is closed after drawing N frames
 class TestEvents {
  public:
@@ -35,9 +41,12 @@ class TestEvents {
 
   void snapshot(const LiveState& snapshot);
   void help(bool shown);
+  void tip(const std::optional<Area>& shown);
+  void visible(bool is) const;
   void text(bool has_keyboard);
   void camera(const view::Camera& camera);
   void screenshot(const std::string& path);
+  /// A frame is on the screen.
   void frame(int samples);
   void closed() const;
 
@@ -45,9 +54,15 @@ class TestEvents {
   using Clock = std::chrono::steady_clock;
 
   void say(const std::string& line) const;
+  void forget_widgets();
 
   bool on_;
-  std::map<std::string, std::array<int, 4>, std::less<>> widgets_;
+  struct Widget {
+    std::string said;   // its last line
+    bool seen = false;  // in the frame being made
+  };
+  std::string tip_ = "tip none";
+  std::map<std::string, Widget> widgets_;
   std::optional<Params> params_;
   std::optional<bool> playing_, help_, text_;
   std::optional<view::Camera> camera_;

@@ -34,7 +34,7 @@ void draw_panels_button(const PanelInput& in) {
   const bool shown = in.controls.narrow ? in.controls.drawer : in.controls.panels;
   const char* label = shown ? "Hide panels" : "Panels";
   const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x);
   if (ImGui::SmallButton(label)) in.controls.actions.push_back(Action::toggle_panels);
   in.events.widget("panels");
   in.tips.show("Hide or show the panels (H)");
@@ -52,6 +52,10 @@ void draw_menu(const PanelInput& in) {
       const KeyRow& row = key_row(menu.actions[i]);
       if (ImGui::MenuItem(row.doc, row.text)) in.controls.actions.push_back(row.action);
       in.events.widget(std::string("menu-") + row.doc);
+    }
+    if (menu.title == std::string_view("Run")) {
+      ImGui::MenuItem("pause when minimised", nullptr, &in.controls.pause_minimised);
+      in.events.widget("pause_minimised");
     }
     ImGui::EndMenu();
   }

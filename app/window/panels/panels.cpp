@@ -86,7 +86,7 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
   draw_transport_panel(in);
   transport_height_ = content_height();
   ImGui::End();
-  draw_warnings(layout.arena, in);
+  draw_notices(layout.arena, in);
   draw_bad_status(layout.arena, in);
   draw_help(in);
   return observed;

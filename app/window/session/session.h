@@ -41,7 +41,7 @@ struct Watch {  // what a step must record beside: for overlays, inspector, plot
   PartSet parts;
   bool velocities = false;
 };
-struct Suspend {  // the window is hidden: no steps until further notice
+struct Suspend {  // no steps until further notice
   bool on;
 };
 struct GoTo {  // pause at that step of the run, in exactly the state that it had

@@ -24,7 +24,8 @@ void Target::resize(int width, int height) {
   if (width == width_ && height == height_) return;
   refuse_large(width, height);
   glBindTexture(GL_TEXTURE_2D, color_.name());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  // Mesa then stores it as it does windows, and copies to one are no conversions.
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
@@ -51,10 +52,14 @@ void Target::bind() const {
 }
 
 void Target::copy_to(GLuint framebuffer, int x, int y) const {
+  copy_part_to(framebuffer, x, y, {0, 0, width_, height_});
+}
+
+void Target::copy_part_to(GLuint framebuffer, int x, int y, const Viewport& part) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  glBlitFramebuffer(0, 0, width_, height_, x, y, x + width_, y + height_, GL_COLOR_BUFFER_BIT,
-                    GL_NEAREST);
+  glBlitFramebuffer(part.x, part.y, part.x + part.width, part.y + part.height, x, y, x + part.width,
+                    y + part.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 io::Image Target::read() const {

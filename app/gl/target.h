@@ -6,6 +6,11 @@
 
 namespace pupflow::gl {
 
+/// Part of a framebuffer in pixels, from its lower left corner.
+struct Viewport {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
 class Target {
  public:
   /// Throws Failure(bad_input) when the driver allows no target of this size in pixels.
@@ -26,6 +31,9 @@ class Target {
   /// Copies its colors, pixel by pixel, to (x, y) (lower left) of `framebuffer`, which stays bound
   /// for drawing.
   void copy_to(GLuint framebuffer, int x, int y) const;
+
+  /// The same with the pixels of `part` alone, whose lower left corner comes to (x, y).
+  void copy_part_to(GLuint framebuffer, int x, int y, const Viewport& part) const;
 
   /// Its colors as a picture.
   io::Image read() const;

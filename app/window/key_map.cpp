@@ -67,6 +67,16 @@ constexpr std::array kKeys{
            "reset the view"},
     KeyRow{Action::top_view, {GLFW_KEY_T}, false, false, "T", "look from above"},
     KeyRow{Action::side_view, {GLFW_KEY_Y}, false, false, "Y", "look from the side"},
+    KeyRow{
+        Action::previous_pup, {GLFW_KEY_TAB}, true, true, "Shift + Tab", "select the pup before"},
+    KeyRow{Action::next_pup, {GLFW_KEY_TAB}, false, true, "Tab", "select the next pup"},
+    KeyRow{Action::follow_pup, {GLFW_KEY_L}, false, false, "L", "follow the selected pup, or stop"},
+    KeyRow{Action::pups_eye,
+           {GLFW_KEY_E},
+           false,
+           false,
+           "E",
+           "look out of the selected pup's eyes, or stop"},
     KeyRow{Action::screenshot,
            {GLFW_KEY_S, GLFW_KEY_F12},
            false,
@@ -92,6 +102,9 @@ constexpr std::array kKeys{
 
 constexpr std::array kMouse{
     MouseRow{"Left drag", "turn the view"},
+    MouseRow{"Click on a pup", "select it"},
+    MouseRow{"Double click on a pup", "follow it"},
+    MouseRow{"Ctrl + left drag on a pup", "pull it"},
     MouseRow{"Right or middle drag, Shift + left drag", "move the view"},
     MouseRow{"Wheel", "nearer or further, towards the cursor"},
     MouseRow{"Minimise the window", "the run goes on, unless Run > pause when minimised"},

@@ -33,7 +33,10 @@ void LiveWindow::install_callbacks() {
   glfwSetCursorPosCallback(handle, event);
   glfwSetCursorEnterCallback(handle, event);
   glfwSetWindowFocusCallback(handle, event);
-  glfwSetWindowRefreshCallback(handle, event);
+  glfwSetWindowRefreshCallback(handle, [](GLFWwindow* w) {
+    window_of(w).painter_.forget();
+    window_of(w).schedule_.event();
+  });
   glfwSetFramebufferSizeCallback(handle, event);
   glfwSetWindowContentScaleCallback(handle, event);
 }
@@ -70,11 +73,15 @@ void LiveWindow::move_camera(const Area& arena, double now) {
   const bool pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
                        ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
                        ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
-  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left) && !pulled_;
   const bool other =
       ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
   if ((dx != 0 || dy != 0) && !pressed) {
-    if (other || (left && io.KeyShift)) {
+    const bool moves = other || (left && io.KeyShift);
+    const bool eye = controls_.camera_mode == CameraMode::eye;
+    if ((moves || left) && (eye || moves)) controls_.camera_mode = CameraMode::free;
+    if (eye) return;
+    if (moves) {
       arena_.pan(dx, -dy);
       schedule_.view_moved(now);
     } else if (left) {
@@ -97,6 +104,8 @@ void LiveWindow::carry_out(double now) {
 
 void LiveWindow::perform(Action action, double now) {
   const auto look_from = [&](const char* spec) {
+    if (controls_.camera_mode == CameraMode::eye) controls_.camera_mode = CameraMode::free;
+    guide_ = {};
     arena_.look_from(view::Camera::parse(spec));
     schedule_.view_moved(now);
   };
@@ -143,10 +152,10 @@ void LiveWindow::perform(Action action, double now) {
       break;
     }
     case Action::faster:
-      controls_.set_speed(2 * controls_.speed);
+      controls_.faster();
       break;
     case Action::slower:
-      controls_.set_speed(controls_.as_fast ? controls_.speed : controls_.speed / 2);
+      controls_.slower();
       break;
     case Action::real_time:
       controls_.set_speed(1);
@@ -162,6 +171,12 @@ void LiveWindow::perform(Action action, double now) {
       break;
     case Action::side_view:
       look_from("side");
+      break;
+    case Action::next_pup:
+    case Action::previous_pup:
+    case Action::follow_pup:
+    case Action::pups_eye:
+      perform_on_pup(action);
       break;
     case Action::screenshot:
       take_picture();

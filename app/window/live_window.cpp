@@ -1,6 +1,5 @@
 #include "app/window/live_window.h"
 
-#include <GL/glew.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -23,13 +22,6 @@ bool drawn_by_processor() {
          name.find("SwiftShader") != std::string::npos;
 }
 
-void clear(const view::Rgb& color) {
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glClearColor(static_cast<float>(color.r) / 255, static_cast<float>(color.g) / 255,
-               static_cast<float>(color.b) / 255, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-}
-
 }  // namespace
 
 LiveWindow::LiveWindow(const LiveJob& job)
@@ -45,11 +37,11 @@ LiveWindow::LiveWindow(const LiveJob& job)
                .notify = [] { glfwPostEmptyEvent(); }}),
       schedule_(drawn_by_processor()) {
   picture_path(job.screenshot, 0);  // a bad pattern fails now, not with the first screenshot
-  controls_.params = controls_.seen = job.params;
+  controls_.params = controls_.seen = controls_.scene = job.params;
   controls_.look = job.look;
   runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();
-  gui_ = std::make_unique<Gui>(window_, job.ui_scale);
+  gui_ = std::make_unique<Gui>(window_, job.ui_scale, Theme::light);
   install_key_callback();
   glfwSwapInterval(1);
   if (job.look.verbose) {
@@ -127,11 +119,15 @@ void LiveWindow::frame(double now) {
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
   events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
+  point_at_pups(layout.arena);
   move_camera(layout.arena, now);
+  lead_camera(now);
+  controls_.watch();
+  const DrawnArena drawn = draw_arena(layout);
   gui_->end_frame();
 
   carry_out(now);
-  paint(layout);
+  paint(drawn);
   schedule_.end_frame();
 }
 
@@ -165,26 +161,37 @@ void LiveWindow::fit_scale() {
   scale_time_ = litter.time;
 }
 
-void LiveWindow::paint(const Layout& layout) {
+/// Into a store of its own; and what is painted over it, into the panels' list.
+LiveWindow::DrawnArena LiveWindow::draw_arena(const Layout& layout) {
   const auto pixels = [&](float length) {
     return static_cast<int>(std::lround(length * gui_->density()));
   };
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_.handle(), &width, &height);
-  const int x = pixels(layout.arena.corner.x), top = pixels(layout.arena.corner.y);
-  const int arena_width = std::min(pixels(layout.arena.size.x), width - x);
-  const int arena_height = std::min(pixels(layout.arena.size.y), height - top);
+  PixelBox place{pixels(layout.arena.corner.x), pixels(layout.arena.corner.y),
+                 pixels(layout.arena.corner.x + layout.arena.size.x),
+                 pixels(layout.arena.corner.y + layout.arena.size.y)};
+  place.right = std::max(std::min(place.right, width), place.left + 1);
+  place.bottom = std::max(std::min(place.bottom, height), place.top + 1);
   const int samples = schedule_.samples(controls_.look.samples());
-  arena_.draw(runner_.snapshot(), schedule_.fresh(), scale_, std::max(arena_width, 1),
-              std::max(arena_height, 1), samples);
-  clear(gl::Palette{}.background);
-  arena_.show(x, height - top - arena_height);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, width, height);
-  gui_->draw();
-  glfwSwapBuffers(window_.handle());
+  const LiveState& snapshot = runner_.snapshot();
+  arena_.set_look(controls_.look);
+  const bool anew =
+      arena_.draw(snapshot, schedule_.fresh(), scale_, place.width(), place.height(), samples);
+  const LitterView litter = snapshot.view();
+  marks_.paint(*ImGui::GetBackgroundDrawList(),
+               {litter, scale_, arena_.camera(), arena_.bodies(), layout.arena}, schedule_.fresh(),
+               controls_.look, selection_marks());
+  return {place, anew, samples};
+}
+
+void LiveWindow::paint(const DrawnArena& drawn) {
+  const Painter::Image arena{&arena_.store(), drawn.place};
+  if (painter_.paint(*gui_, {&arena, 1}, drawn.anew, gl::Palette{}.background)) {
+    glfwSwapBuffers(window_.handle());
+  }
   events_.camera(arena_.camera());
-  events_.frame(samples);
+  events_.frame(drawn.samples);
 }
 
 }  // namespace pupflow::window

@@ -128,6 +128,21 @@ void TestEvents::camera(const view::Camera& camera) {
   say(line.str());
 }
 
+void TestEvents::selected(std::optional<int> pup, CameraMode mode) {
+  if (on_ && selected_ != pup) say("selected " + (pup ? std::to_string(*pup) : "none"));
+  constexpr std::array kModes{"free", "follow", "eye"};
+  if (on_ && mode_ != mode) say(std::string("view ") + kModes[static_cast<std::size_t>(mode)]);
+  selected_ = pup;
+  mode_ = mode;
+}
+
+void TestEvents::field(std::string_view name, const std::string& text) {
+  if (!on_) return;
+  std::string& said = fields_[std::string(name)];
+  if (said != text) say("field " + std::string(name) + ' ' + text);
+  said = text;
+}
+
 void TestEvents::screenshot(const std::string& path) {
   if (on_) say("screenshot " + path);
 }

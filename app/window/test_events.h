@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/view/camera.h"
+#include "app/window/controls.h"
 #include "app/window/panels/area.h"
 #include "app/window/session/session.h"
 
@@ -27,6 +28,8 @@ namespace pupflow::window {
 ///   warning MESSAGE       a warning of the engine, when it is new
 ///   text on|off           whether a text field has the keyboard
 ///   help shown|hidden, camera AZIMUTH ELEVATION DISTANCE, screenshot PATH
+///   selected PUP|none, view free|follow|eye
+///   field NAME TEXT       a field of the selected pup as the inspector shows it, when it changes
 ///   samples N             the arena has N x N samples a pixel, when N changes
 ///   tip X Y W H, tip none  where the tooltip is
 ///   visible yes|no        the window was minimised or shown again
@@ -45,6 +48,10 @@ class TestEvents {
   void visible(bool is) const;
   void text(bool has_keyboard);
   void camera(const view::Camera& camera);
+  void selected(std::optional<int> pup, CameraMode mode);
+
+  /// What the inspector shows in one of its rows.
+  void field(std::string_view name, const std::string& text);
   void screenshot(const std::string& path);
   /// A frame is on the screen.
   void frame(int samples);
@@ -66,6 +73,9 @@ class TestEvents {
   std::optional<Params> params_;
   std::optional<bool> playing_, help_, text_;
   std::optional<view::Camera> camera_;
+  std::optional<int> selected_;
+  CameraMode mode_ = CameraMode::free;
+  std::map<std::string, std::string, std::less<>> fields_;
   std::int64_t step_ = -1;
   std::optional<std::uint64_t> hash_;
   Clock::time_point step_said_{};

@@ -24,8 +24,9 @@ constexpr std::array kMenus{
          7},
     Menu{"Edit", {Action::undo, Action::redo}, 2},
     Menu{"View",
-         {Action::reset_camera, Action::top_view, Action::side_view, Action::toggle_panels},
-         4},
+         {Action::reset_camera, Action::top_view, Action::side_view, Action::next_pup,
+          Action::follow_pup, Action::pups_eye, Action::toggle_panels},
+         7},
     Menu{"Help", {Action::toggle_help}, 1},
 };
 

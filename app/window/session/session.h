@@ -29,6 +29,7 @@ struct Edit {  // a whole parameter set; a new litter when one that defines it d
   std::optional<Params> before =
       {};  // what the user saw: only what differs from it is changed, so that
            // the schedule goes on with the rest
+  bool continues = false;  // the same drag of a slider goes on: one undo takes all of it back
 };
 struct Restart {};  // the same litter from t = 0
 struct Observe {    // whether the observables are shown
@@ -61,7 +62,8 @@ struct Pull {  // a spring draws that pup's centre to `target`; nobody: let go
   std::array<double, 3> target{};  // arena units
 };
 struct Compare {               // step a second litter beside this one; none: only one
-  std::optional<Params> with;  // its parameters, from t = 0
+  std::optional<Params> with;  // what differs from the present parameters differs in it
+  bool from_now = false;       // it begins as this litter is now; otherwise both begin anew
 };
 using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Observe, ColorBy, Watch,
                              Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare>;

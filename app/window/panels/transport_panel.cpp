@@ -77,9 +77,8 @@ void TransportPanel::draw(const PanelInput& in) {
     if (plan.row_of(part) < 0) continue;
     if (plan.row_of(part) == row) ImGui::SameLine(0, gap);
     row = plan.row_of(part);
-    const bool last = i + 1 == kTransportParts || plan.row[static_cast<std::size_t>(i) + 1] != row;
     const float rest = left + width - ImGui::GetCursorPosX();
-    draw_part(part, last ? rest : std::min(transport_width(part) * em, rest), in);
+    draw_part(part, plan.ends_row(part) ? rest : std::min(transport_width(part) * em, rest), in);
   }
 }
 

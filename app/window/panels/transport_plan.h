@@ -29,6 +29,7 @@ struct TransportPlan {
   bool compact = false;  // the last parts are in the menu
 
   int row_of(TransportPart part) const { return row[static_cast<std::size_t>(part)]; }
+  bool ends_row(TransportPart part) const;
 };
 
 /// The width of a part, in multiples of the text size; the last one of a row takes what is left.

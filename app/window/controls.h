@@ -12,6 +12,13 @@
 
 namespace pupflow::window {
 
+/// How the camera goes with the selected pup.
+enum class CameraMode {
+  free,    // it stays where it is
+  follow,  // the pup stays in the middle
+  eye      // it looks along the pup's heading, from in front of its body
+};
+
 /// The window's own state beside the simulation's, and what was asked for since the last frame.
 struct Controls {
   Params params;         // the window's copy: always sound, sent whole with every edit
@@ -20,7 +27,11 @@ struct Controls {
   double speed = 1;      // times real time, unless
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
-  bool panels = true;
+  std::optional<int> selected;                // a pup, by its number
+  CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
+  bool panels = true;                         // beside the arena
+  bool drawer = false;                        // the panel over the arena, in a window that is
+  bool narrow = false;                        // too narrow for panels beside it
   bool help = false;
   std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
   std::string problem;                   // why the last value was not taken; empty when it was

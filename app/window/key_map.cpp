@@ -75,12 +75,19 @@ constexpr std::array kKeys{
            "save a picture (PNG, with all parameters in it)"},
     KeyRow{Action::toggle_panels, {GLFW_KEY_H}, false, false, "H", "hide or show the panels"},
     KeyRow{Action::toggle_help, {GLFW_KEY_F1}, false, false, "F1", "open or close this help"},
-    KeyRow{Action::quit,
-           {GLFW_KEY_ESCAPE, GLFW_KEY_Q},
+    KeyRow{Action::work_panels,
+           {GLFW_KEY_F6},
            false,
            false,
-           "Esc, Q",
-           "close this help, or quit"},
+           "F6",
+           "work the next panel by keys: arrows, Space, Enter"},
+    KeyRow{Action::close,
+           {GLFW_KEY_ESCAPE},
+           false,
+           true,
+           "Esc",
+           "close what is open, then leave the pup, then select none"},
+    KeyRow{Action::quit, {GLFW_KEY_Q}, false, false, "Q", "quit"},
 };
 
 constexpr std::array kMouse{

@@ -29,6 +29,8 @@ enum class Action {
   screenshot,
   toggle_panels,
   toggle_help,
+  work_panels,
+  close,
   quit
 };
 

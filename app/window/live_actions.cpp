@@ -9,6 +9,7 @@
 
 #include "app/io/failure.h"
 #include "app/window/live_window.h"
+#include "app/window/panel_keys.h"
 #include "app/window/panels/transport_panel.h"
 
 namespace pupflow::window {
@@ -54,12 +55,14 @@ bool LiveWindow::text_has_keyboard() {
 }
 
 void LiveWindow::key(int code, int mods, bool repeated) {
-  if (text_has_keyboard()) return;
+  if (text_has_keyboard() || panels_take(code)) return;
   if (const auto action = action_for(code, mods, repeated)) controls_.actions.push_back(*action);
 }
 
 void LiveWindow::move_camera(const Area& arena, double now) {
   const ImGuiIO& io = ImGui::GetIO();
+  const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+  if (clicked && keys_work_panels()) leave_panels();
   if (io.WantCaptureMouse) return;
   const auto share = [&](float pixels) { return static_cast<double>(pixels / arena.size.y); };
   const double dx = share(io.MouseDelta.x), dy = share(io.MouseDelta.y);
@@ -162,18 +165,37 @@ void LiveWindow::perform(Action action, double now) {
       take_picture();
       break;
     case Action::toggle_panels:
-      controls_.panels = !controls_.panels;
+      (controls_.narrow ? controls_.drawer : controls_.panels) ^= true;
       break;
     case Action::toggle_help:
       controls_.help = !controls_.help;
       break;
-    case Action::quit:
-      if (controls_.help) {
-        controls_.help = false;
-      } else {
-        glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
-      }
+    case Action::work_panels:
+      work_next_panel(Panels::names());
+      show("Arrows move, Space presses, Enter types. F6: the next panel. Esc: back to the arena.");
       break;
+    case Action::close:
+      close_front();
+      break;
+    case Action::quit:
+      glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+      break;
+  }
+}
+
+/// One thing at a time, that in front first. Text fields deal with Esc themselves.
+void LiveWindow::close_front() {
+  if (close_front_popup()) return;
+  if (controls_.help) {
+    controls_.help = false;
+  } else if (keys_work_panels()) {
+    leave_panels();
+  } else if (controls_.narrow && controls_.drawer) {
+    controls_.drawer = false;
+  } else if (controls_.camera_mode != CameraMode::free) {
+    controls_.camera_mode = CameraMode::free;
+  } else {
+    controls_.selected.reset();
   }
 }
 

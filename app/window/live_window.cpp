@@ -112,16 +112,18 @@ void LiveWindow::frame(double now) {
   schedule_.begin_frame(now);
   gui_->begin_frame();
   const ImGuiIO& io = ImGui::GetIO();
-  const Layout layout =
-      make_layout(io.DisplaySize.x, io.DisplaySize.y, gui_->scale(), controls_.panels);
+  const Layout layout = lay_out();
   const LiveState& snapshot = runner_.snapshot();
   const double rate = snapshot.playing ? schedule_.frames_per_second() : 0;
-  const PanelInput input{snapshot, controls_, gui_->fonts(), events_, rate};
+  const PanelInput input{snapshot, controls_, gui_->fonts(), events_, tips_, rate};
+  tips_.begin_frame(layout, now);
   observe(panels_.draw(layout, input));
   fit_scale();
-  draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
+  if (layout.bar.size.x > 0)
+    draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
+  if (const auto due = tips_.due()) schedule_.wake_at(*due);
   events_.text(text_has_keyboard());
   move_camera(layout.arena, now);
   gui_->end_frame();
@@ -129,6 +131,19 @@ void LiveWindow::frame(double now) {
   carry_out(now);
   paint(layout);
   schedule_.end_frame();
+}
+
+Layout LiveWindow::lay_out() {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  LayoutWish wish{.width = size.x, .height = size.y, .scale = gui_->scale()};
+  wish.menu = ImGui::GetFrameHeight();
+  wish.transport = panels_.transport_height();
+  if (wish.transport == 0) wish.transport = LayoutWish{}.transport * wish.scale;
+  wish.panels = controls_.panels;
+  wish.drawer = controls_.drawer;
+  const Layout layout = make_layout(wish);
+  controls_.narrow = layout.narrow;
+  return layout;
 }
 
 /// The engine works out the observables only while they are shown.

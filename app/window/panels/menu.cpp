@@ -29,6 +29,17 @@ constexpr std::array kMenus{
     Menu{"Help", {Action::toggle_help}, 1},
 };
 
+/// At the right end, in every layout: what H does.
+void draw_panels_button(const PanelInput& in) {
+  const bool shown = in.controls.narrow ? in.controls.drawer : in.controls.panels;
+  const char* label = shown ? "Hide panels" : "Panels";
+  const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x);
+  if (ImGui::SmallButton(label)) in.controls.actions.push_back(Action::toggle_panels);
+  in.events.widget("panels");
+  in.tips.show("Hide or show the panels (H)");
+}
+
 }  // namespace
 
 void draw_menu(const PanelInput& in) {
@@ -44,6 +55,7 @@ void draw_menu(const PanelInput& in) {
     }
     ImGui::EndMenu();
   }
+  draw_panels_button(in);
   ImGui::EndMainMenuBar();
 }
 

@@ -42,11 +42,4 @@ TransportPlan plan_transport(float width);
 /// Height of the timeline above the rows, in multiples of the text size.
 constexpr float kStripHeight = 2.4f;
 
-/// The height of the whole transport in a window column of that width, with widgets of that scale;
-/// both in window coordinates.
-float transport_height(float width, float scale);
-
-/// Its margins and its text at scale 1.
-constexpr float kTransportMargin = 9, kTransportTextSize = 14;
-
 }  // namespace pupflow::window

@@ -125,6 +125,7 @@ void LiveWindow::frame(double now) {
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
   events_.text(text_has_keyboard());
+  events_.problem(controls_.problem_at, controls_.problem);
   move_camera(layout.arena, now);
   gui_->end_frame();
 

@@ -16,6 +16,9 @@ namespace pupflow::window {
 /// When switched on, prints one line for each event:
 ///   widget NAME X Y W H   where a widget is (window coordinates), when it appears or moves
 ///   value NAME VALUE      a parameter as the simulation has taken it, when it changes
+///   problem FIELD WHY     a value was not taken; without both: that is over
+///   speed FACTOR          the speed that was asked for, when it changes
+///   second DIFFERENCE     what differs in the litter beside this one, or none
 ///   state playing|paused
 ///   step N                at rest after every change, else now and then
 ///   hash N H              at rest: the simulation's hash after step N
@@ -34,6 +37,8 @@ class TestEvents {
   void widget(std::string_view name);
 
   void snapshot(const LiveState& snapshot);
+  /// Why the last value typed was not taken, when that changes.
+  void problem(const std::string& field, const std::string& text);
   void help(bool shown);
   void text(bool has_keyboard);
   void camera(const view::Camera& camera);
@@ -49,6 +54,8 @@ class TestEvents {
   bool on_;
   std::map<std::string, std::array<int, 4>, std::less<>> widgets_;
   std::optional<Params> params_;
+  std::string problem_, second_ = "none";
+  double speed_ = 1;
   std::optional<bool> playing_, help_, text_;
   std::optional<view::Camera> camera_;
   std::int64_t step_ = -1;

@@ -27,7 +27,6 @@ struct Controls {
   double speed = 1;      // times real time, unless
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
-  std::optional<std::int64_t> typed_seed;     // while it is being typed
   std::optional<int> selected;                // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
   Watch inspected;  // what the inspector shows; nothing while it is closed
@@ -45,11 +44,11 @@ struct Controls {
   std::vector<Action> actions;    // as if their keys had been pressed
 
   /// Makes `candidate` the parameters and asks the runner to take them, if it is sound; otherwise
-  /// says why in `problem`.
-  void propose(const Params& candidate);
+  /// says why in `problem`. `continues`: undo takes it back together with the edit before.
+  void propose(const Params& candidate, bool continues = false);
 
   /// The same with one parameter changed.
-  void propose(const Parameter& parameter, double value);
+  void propose(const Parameter& parameter, double value, bool continues = false);
 
   /// Says why what was typed into a field was not taken.
   void refuse(std::string_view field, std::string reason);

@@ -120,6 +120,7 @@ void LiveWindow::frame(double now) {
   events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
   point_at_pups(layout.arena);
+  events_.problem(controls_.problem_at, controls_.problem);
   move_camera(layout.arena, now);
   lead_camera(now);
   controls_.watch();

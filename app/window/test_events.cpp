@@ -9,6 +9,9 @@
 #include <sstream>
 #include <utility>
 
+#include "app/io/text.h"
+#include "app/window/panels/resets.h"
+
 namespace pupflow::window {
 namespace {
 
@@ -82,6 +85,13 @@ void TestEvents::snapshot(const LiveState& snapshot) {
     step_ = -1;  // the step at which it stopped is said after that
   }
   playing_ = snapshot.playing;
+  if (speed_ != snapshot.speed) say("speed " + io::number_text(snapshot.speed));
+  speed_ = snapshot.speed;
+  const std::string second =
+      snapshot.second ? difference_text(snapshot.view().params, snapshot.second->view().params)
+                      : "none";
+  if (second_ != second) say("second " + second);
+  second_ = second;
   const Clock::time_point now = Clock::now();
   if (snapshot.view().step != step_ && (!snapshot.playing || now - step_said_ >= kStepEvery)) {
     say("step " + std::to_string(snapshot.view().step));
@@ -98,6 +108,11 @@ void TestEvents::snapshot(const LiveState& snapshot) {
   for (; warnings_ < snapshot.warnings.size(); ++warnings_) {
     say("warning " + snapshot.warnings[warnings_].message());
   }
+}
+
+void TestEvents::problem(const std::string& field, const std::string& text) {
+  if (on_ && problem_ != text) say(text.empty() ? "problem" : "problem " + field + ' ' + text);
+  problem_ = text;
 }
 
 void TestEvents::help(bool shown) {

@@ -21,6 +21,9 @@ namespace pupflow::window {
 ///                         there is more to see by scrolling
 ///   gone NAME             that widget cannot be seen any more
 ///   value NAME VALUE      a parameter as the simulation has taken it, when it changes
+///   problem FIELD WHY     a value was not taken; without both: that is over
+///   speed FACTOR          the speed that was asked for, when it changes
+///   second DIFFERENCE     what differs in the litter beside this one, or none
 ///   state playing|paused
 ///   step N                at rest after every change, else now and then
 ///   hash N H              at rest: the simulation's hash after step N
@@ -43,6 +46,8 @@ class TestEvents {
   void widget(std::string_view name);
 
   void snapshot(const LiveState& snapshot);
+  /// Why the last value typed was not taken, when that changes.
+  void problem(const std::string& field, const std::string& text);
   void help(bool shown);
   void tip(const std::optional<Area>& shown);
   void visible(bool is) const;
@@ -71,6 +76,8 @@ class TestEvents {
   std::string tip_ = "tip none";
   std::map<std::string, Widget> widgets_;
   std::optional<Params> params_;
+  std::string problem_, second_ = "none";
+  double speed_ = 1;
   std::optional<bool> playing_, help_, text_;
   std::optional<view::Camera> camera_;
   std::optional<int> selected_;

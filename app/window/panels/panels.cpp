@@ -9,7 +9,6 @@
 #include "app/window/panels/menu.h"
 #include "app/window/panels/numbers_panel.h"
 #include "app/window/panels/overlays.h"
-#include "app/window/panels/transport_panel.h"
 
 namespace pupflow::window {
 namespace {
@@ -35,24 +34,19 @@ float content_height() {
   return std::ceil(ImGui::GetCursorPosY() - style.ItemSpacing.y + style.WindowPadding.y);
 }
 
-/// Always there, so that nothing moves when it speaks.
+/// Below what scrolls, and always there, so that nothing moves when it speaks.
 void draw_problem(const PanelInput& in) {
   const std::string& text = in.controls.problem.empty() ? in.state.rejected : in.controls.problem;
-  ImGui::PushStyleColor(ImGuiCol_Text, kBad);
-  ImGui::TextUnformatted(text.empty() ? " " : text.c_str());
+  if (text.empty()) {
+    ImGui::TextDisabled("\u21bb restarts the litter");
+    return;
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, ImU32{kBad});
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
-  if (!text.empty()) in.tips.show(text);
-}
-
-/// The model as published; the seed and what does not change the model stay.
-Params papers_values(const Params& present) {
-  Params params;
-  params.seed = present.seed;
-  params.steps = present.steps;
-  params.discard = present.discard;
-  params.flow_lag = present.flow_lag;
-  params.precision = present.precision;
-  return params;
+  in.tips.show(text);
 }
 
 }  // namespace
@@ -67,13 +61,16 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
   draw_menu(in);
   if (layout.left.size.x > 0) {
     begin_panel(kLeft, layout.left);
+    constexpr int kProblemLines = 2;
+    ImGui::BeginChild("rows", {0, -kProblemLines * ImGui::GetTextLineHeightWithSpacing()});
     parameters_.draw_top(in);
-    draw_problem(in);
+    parameters_.draw_groups(in);
     if (!layout.two_panels) {
       observed = draw_numbers_panel(in);
       draw_look_panel(in);
     }
-    draw_parameters(in);
+    ImGui::EndChild();
+    draw_problem(in);
     ImGui::End();
   }
   if (layout.two_panels) {
@@ -83,24 +80,13 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
     ImGui::End();
   }
   begin_panel(kTransport, layout.transport);
-  draw_transport_panel(in);
+  transport_.draw(in);
   transport_height_ = content_height();
   ImGui::End();
   draw_notices(layout.arena, in);
   draw_bad_status(layout.arena, in);
   draw_help(in);
   return observed;
-}
-
-void Panels::draw_parameters(const PanelInput& in) {
-  parameters_.draw_groups(in);
-  ImGui::Spacing();
-  if (ImGui::Button("Reset to the paper's values", {-1, 0})) {
-    in.controls.propose(papers_values(in.controls.params));
-  }
-  in.events.widget("reset");
-  in.tips.show("All but seed and precision. The litter restarts where it must.");
-  ImGui::TextDisabled("\u21bb restarts the litter");
 }
 
 }  // namespace pupflow::window

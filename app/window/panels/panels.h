@@ -6,6 +6,7 @@
 #include "app/window/panels/layout.h"
 #include "app/window/panels/panel.h"
 #include "app/window/panels/parameter_panel.h"
+#include "app/window/panels/transport_panel.h"
 
 namespace pupflow::window {
 
@@ -21,9 +22,8 @@ class Panels {
   float transport_height() const { return transport_height_; }
 
  private:
-  void draw_parameters(const PanelInput& in);
-
   ParameterPanel parameters_;
+  TransportPanel transport_;
   float transport_height_ = 0;
 };
 

@@ -12,6 +12,13 @@
 
 namespace pupflow::window {
 
+/// How the camera goes with the selected pup.
+enum class CameraMode {
+  free,    // it stays where it is
+  follow,  // the pup stays in the middle
+  eye      // it looks along the pup's heading, from in front of its body
+};
+
 /// The window's own state beside the simulation's, and what was asked for since the last frame.
 struct Controls {
   Params params;         // the window's copy: always sound, sent whole with every edit
@@ -20,6 +27,8 @@ struct Controls {
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
   std::optional<std::int64_t> typed_seed;  // while it is being typed
+  std::optional<int> selected;  // a pup, by its number
+  CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
   bool panels = true;
   bool help = false;
   std::string problem;  // why the last value was not taken; empty when it was

@@ -49,7 +49,7 @@ LiveWindow::LiveWindow(const LiveJob& job)
   controls_.look = job.look;
   runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();
-  gui_ = std::make_unique<Gui>(window_, job.ui_scale);
+  gui_ = std::make_unique<Gui>(window_, job.ui_scale, Theme::light);
   install_key_callback();
   glfwSwapInterval(1);
   if (job.look.verbose) {

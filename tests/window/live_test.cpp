@@ -1,24 +1,15 @@
-// `pupflow live` as somebody at the screen meets it. The window says on standard output what
-// happens in it (--test-events); whoever waits here waits for such a line.
+// `pupflow live` as somebody at the screen meets it.
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <memory>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 
 #include "app/io/params_of_file.h"
 #include "app/io/png.h"
 #include "app/io/provenance.h"
-#include "pupflow/simulation.h"
-#include "tests/support/scratch.h"
-#include "tests/window/child.h"
-#include "tests/window/screen.h"
+#include "pupflow/parameters.h"
+#include "tests/window/live_fixture.h"
 
 namespace pupflow::testing {
 namespace {
@@ -26,93 +17,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
-
-struct Box {
-  int x = 0, y = 0, width = 0, height = 0;
-  int middle_x() const { return x + width / 2; }
-  int middle_y() const { return y + height / 2; }
-};
-
-/// What `hash` lines say, from a simulation without any window.
-std::string headless_hash(const Params& params, std::int64_t steps) {
-  Simulation simulation(params);
-  simulation.set_observed({});
-  simulation.run(steps);
-  std::ostringstream text;
-  text << std::hex << simulation.hash();
-  return text.str();
-}
-
-class Live : public ::testing::Test {
- protected:
-  /// Opens the window and waits until it stands.
-  void open(std::vector<std::string> options = {}) {
-    std::vector<std::string> arguments{PUPFLOW_PROGRAM, "live", "--test-events"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    window_ = std::make_unique<Child>(ChildOptions{.arguments = arguments,
-                                                   .environment = screen_.environment(),
-                                                   .folder = scratch_.folder().string()});
-    await("camera ");  // printed with the first frame, after the widgets
-  }
-
-  /// The rest of the next line that starts with `start`. Fails the test when none comes.
-  std::string await(const std::string& start) {
-    const auto give_up = std::chrono::steady_clock::now() + Child::kPatience;
-    while (std::chrono::steady_clock::now() < give_up) {
-      const auto line = window_->read_line();
-      if (!line) break;
-      remember(*line);
-      if (line->starts_with(start)) return line->substr(start.size());
-    }
-    ADD_FAILURE() << "'" << start << "' never came; " << window_->errors();
-    throw std::runtime_error("not what was waited for");
-  }
-
-  Box widget(const std::string& name) {
-    if (widgets_.count(name) == 0) await("widget " + name + ' ');
-    return widgets_.at(name);
-  }
-
-  void click(const std::string& name) {
-    const Box box = widget(name);
-    screen_.click(box.middle_x(), box.middle_y());
-  }
-
-  /// Types a number into a slider as its help says: Ctrl + click, number, Enter.
-  void type_into_slider(const std::string& name, const std::string& text) {
-    screen_.hand({"keydown", "Control_L"});
-    click(name);
-    await("text on");
-    screen_.hand({"keyup", "Control_L"});
-    type(text);
-  }
-
-  /// Replaces what the field with the keyboard holds.
-  void type(const std::string& text) {
-    screen_.hand({"sleep", "0.1", "key", "ctrl+a", "sleep", "0.1", "type", "--delay", "60", text});
-    screen_.hand({"sleep", "0.1", "key", "Return"});
-    await("text off");
-  }
-
-  int exit_code() { return window_->wait().value_or(-1); }
-
-  Screen screen_;
-  const test::Scratch scratch_;  // outlives the window
-  std::unique_ptr<Child> window_;
-
- private:
-  void remember(const std::string& line) {
-    std::istringstream words(line);
-    std::string kind, name;
-    Box box;
-    if (words >> kind && kind == "widget" &&
-        words >> name >> box.x >> box.y >> box.width >> box.height) {
-      widgets_[name] = box;
-    }
-  }
-
-  std::map<std::string, Box> widgets_;
-};
 
 TEST_F(Live, PlaysAtOnceAndClosesByKey) {
   open();

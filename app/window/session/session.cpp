@@ -139,7 +139,7 @@ void Session::step() {
     return;
   }
   observables_ = observer_->observe(simulation_);
-  history_.add(simulation_.time(), *observables_);
+  history_.add(simulation_.steps_done(), simulation_.time(), *observables_, simulation_.view());
 }
 
 void Session::fill(LiveState& state, bool with_hash) {

@@ -1,0 +1,76 @@
+#include "tests/window/live_fixture.h"
+
+#include <chrono>
+#include <sstream>
+#include <stdexcept>
+
+#include "pupflow/simulation.h"
+
+namespace pupflow::testing {
+
+std::string headless_hash(const Params& params, std::int64_t steps) {
+  Simulation simulation(params);
+  simulation.set_observed({});
+  simulation.run(steps);
+  std::ostringstream text;
+  text << std::hex << simulation.hash();
+  return text.str();
+}
+
+void Live::open(const std::vector<std::string>& options) {
+  std::vector<std::string> arguments{PUPFLOW_PROGRAM, "live", "--test-events"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  widgets_.clear();
+  window_ = std::make_unique<Child>(ChildOptions{.arguments = arguments,
+                                                 .environment = screen_.environment(),
+                                                 .folder = scratch_.folder().string()});
+  await("camera ");  // printed with the first frame, after the widgets
+}
+
+std::string Live::await(const std::string& start) {
+  const auto give_up = std::chrono::steady_clock::now() + Child::kPatience;
+  while (std::chrono::steady_clock::now() < give_up) {
+    const auto line = window_->read_line();
+    if (!line) break;
+    remember(*line);
+    if (line->starts_with(start)) return line->substr(start.size());
+  }
+  ADD_FAILURE() << "'" << start << "' never came; " << window_->errors();
+  throw std::runtime_error("not what was waited for");
+}
+
+Box Live::widget(const std::string& name) {
+  if (widgets_.count(name) == 0) await("widget " + name + ' ');
+  return widgets_.at(name);
+}
+
+void Live::click(const std::string& name) {
+  const Box box = widget(name);
+  screen_.click(box.middle_x(), box.middle_y());
+}
+
+void Live::type_into_slider(const std::string& name, const std::string& text) {
+  screen_.hand({"keydown", "Control_L"});
+  click(name);
+  await("text on");
+  screen_.hand({"keyup", "Control_L"});
+  type(text);
+}
+
+void Live::type(const std::string& text) {
+  screen_.hand({"sleep", "0.1", "key", "ctrl+a", "sleep", "0.1", "type", "--delay", "60", text});
+  screen_.hand({"sleep", "0.1", "key", "Return"});
+  await("text off");
+}
+
+void Live::remember(const std::string& line) {
+  std::istringstream words(line);
+  std::string kind, name;
+  Box box;
+  if (words >> kind && kind == "widget" &&
+      words >> name >> box.x >> box.y >> box.width >> box.height) {
+    widgets_[name] = box;
+  }
+}
+
+}  // namespace pupflow::testing

@@ -1,0 +1,64 @@
+// A window of `pupflow live` on a display of its own. It says on standard output what happens in it
+// (--test-events); whoever waits here waits for such a line.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pupflow/parameters.h"
+#include "tests/support/scratch.h"
+#include "tests/window/child.h"
+#include "tests/window/screen.h"
+
+namespace pupflow::testing {
+
+/// A rectangle in window coordinates.
+struct Box {
+  int x = 0, y = 0, width = 0, height = 0;
+  int middle_x() const { return x + width / 2; }
+  int middle_y() const { return y + height / 2; }
+};
+
+/// What `hash` lines say, from a simulation without any window.
+std::string headless_hash(const Params& params, std::int64_t steps);
+
+class Live : public ::testing::Test {
+ protected:
+  /// Opens the window and waits until it stands.
+  void open(const std::vector<std::string>& options = {});
+
+  /// The rest of the next line that starts with `start`. Fails the test when none comes.
+  std::string await(const std::string& start);
+
+  /// Where a widget was last said to be; waits for it when it was not seen yet.
+  Box widget(const std::string& name);
+
+  /// All widgets said so far, each where it was last.
+  const std::map<std::string, Box>& widgets() const { return widgets_; }
+
+  void click(const std::string& name);
+
+  /// Types a number into a slider as its help says: Ctrl + click, number, Enter.
+  void type_into_slider(const std::string& name, const std::string& text);
+
+  /// Replaces what the field with the keyboard holds.
+  void type(const std::string& text);
+
+  int exit_code() { return window_->wait().value_or(-1); }
+
+  Screen screen_;
+  const test::Scratch scratch_;  // outlives the window
+  std::unique_ptr<Child> window_;
+
+ private:
+  void remember(const std::string& line);
+
+  std::map<std::string, Box> widgets_;
+};
+
+}  // namespace pupflow::testing

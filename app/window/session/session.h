@@ -107,8 +107,8 @@ class Session {
  public:
   /// For keyframes, of all runs together.
   static constexpr std::size_t kKeyframeBytes = std::size_t{256} << 20;
-  /// Forces that a run's recipe holds at most, two minutes of pulling.
-  static constexpr std::ptrdiff_t kMostPulls = 4000;
+  /// Forces that the recipe of a run holds at most: 45 s of pulling. Each one has all checked.
+  static constexpr std::ptrdiff_t kMostPulls = 1500;
 
   /// A new litter, or with `from` the litter of that snapshot, whose recipe is then `params`. Throws
   /// InvalidParams.

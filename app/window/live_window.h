@@ -35,6 +35,7 @@ class LiveWindow {
   void follow_visibility();
   void exchange_snapshots(double now);
   void frame(double now);
+  Layout lay_out();
   void observe(bool observed);
   void fit_scale();
   void paint(const Layout& layout);
@@ -47,6 +48,7 @@ class LiveWindow {
   void move_camera(const Area& arena, double now);
   void carry_out(double now);
   void perform(Action action, double now);
+  void close_front();
   void take_picture();
   void show(const std::string& message);
 
@@ -57,6 +59,7 @@ class LiveWindow {
   Controls controls_;
   Panels panels_;
   TestEvents events_;
+  Tips tips_;
   Runner runner_;
   RedrawSchedule schedule_;
   std::string message_;

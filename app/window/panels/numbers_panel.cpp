@@ -19,9 +19,8 @@ std::string text_of(std::string_view words) {
   return std::string(words);
 }
 
-void tip(const Field& field) {
-  if (!ImGui::IsItemHovered()) return;
-  ImGui::SetTooltip("%s\n%s", text_of(field.doc).c_str(), text_of(field.equation).c_str());
+void tip(const Field& field, const PanelInput& in) {
+  in.tips.show(text_of(field.doc) + '\n' + text_of(field.equation));
 }
 
 void draw_numbers(const PanelInput& in) {
@@ -33,7 +32,7 @@ void draw_numbers(const PanelInput& in) {
   for (const ObservableField& row : observables()) {
     ImGui::TableNextColumn();
     rich_text(in.fonts, kInk, text_of(row.label).c_str());
-    tip(row);
+    tip(row, in);
     ImGui::TableNextColumn();
     const std::string text =
         in.state.observables ? number(*in.state.observables.*row.value, row.digits) : "\u2013";
@@ -109,7 +108,7 @@ void draw_plot(const PanelInput& in, std::size_t observable) {
   label(range.low, low.y + room.y - 0.85f * em);
   draw_curve(list, in.state.history, observable, range, low, room);
   ImGui::Dummy({size.x, size.y + 0.2f * em});
-  tip(row);
+  tip(row, in);
 }
 
 void draw_plots(const PanelInput& in) {

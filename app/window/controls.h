@@ -19,6 +19,11 @@ enum class CameraMode {
   eye      // it looks along the pup's heading, from in front of its body
 };
 
+/// Steps of a run, the first and the last.
+struct StepRange {
+  std::int64_t first, last;
+};
+
 /// The window's own state beside the simulation's, and what was asked for since the last frame.
 struct Controls {
   Params params;         // the window's copy: always sound, sent whole with every edit
@@ -26,12 +31,15 @@ struct Controls {
   double speed = 1;      // times real time, unless
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
-  std::optional<std::int64_t> typed_seed;  // while it is being typed
-  std::optional<int> selected;  // a pup, by its number
+  std::optional<std::int64_t> typed_seed;     // while it is being typed
+  std::optional<int> selected;                // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
   bool panels = true;
   bool help = false;
   std::string problem;  // why the last value was not taken; empty when it was
+
+  std::string message;                // to be shown over the arena for a while
+  std::optional<StepRange> save_csv;  // steps to be saved as CSV
 
   std::vector<Command> commands;  // for the runner
   std::vector<Action> actions;    // as if their keys had been pressed

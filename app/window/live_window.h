@@ -48,6 +48,7 @@ class LiveWindow {
   void carry_out(double now);
   void perform(Action action, double now);
   void take_picture();
+  void save_csv(StepRange steps);
   void show(const std::string& message);
 
   LiveJob job_;

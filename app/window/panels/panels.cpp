@@ -4,7 +4,6 @@
 
 #include "app/window/panels/look_panel.h"
 #include "app/window/panels/menu.h"
-#include "app/window/panels/numbers_panel.h"
 #include "app/window/panels/overlays.h"
 #include "app/window/panels/transport_panel.h"
 
@@ -54,7 +53,7 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
     parameters_.draw_top(in);
     draw_problem(in);
     if (!layout.two_panels) {
-      observed = draw_numbers_panel(in);
+      observed = numbers_.draw(in);
       draw_look_panel(in);
     }
     draw_parameters(in);
@@ -62,7 +61,7 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
   }
   if (layout.two_panels) {
     begin_panel("right", layout.right);
-    observed = draw_numbers_panel(in);
+    observed = numbers_.draw(in);
     draw_look_panel(in);
     ImGui::End();
   }

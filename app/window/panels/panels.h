@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/panels/layout.h"
+#include "app/window/panels/numbers_panel.h"
 #include "app/window/panels/panel.h"
 #include "app/window/panels/parameter_panel.h"
 
@@ -16,6 +17,7 @@ class Panels {
   void draw_parameters(const PanelInput& in);
 
   ParameterPanel parameters_;
+  NumbersPanel numbers_;
 };
 
 }  // namespace pupflow::window

@@ -4,6 +4,10 @@
 #include <cstdio>
 #include <string>
 
+#include "app/window/panels/celsius.h"
+#include "app/window/panels/histogram_panel.h"
+#include "app/window/panels/phase_panel.h"
+
 namespace pupflow::window {
 namespace {
 
@@ -17,9 +21,14 @@ std::string text_of(std::string_view words) {
   return std::string(words);
 }
 
-void tip(const Field& field) {
+/// What the quantity is; a temperature in degrees, too.
+void tip(const PanelInput& in, const ObservableField& row) {
   if (!ImGui::IsItemHovered()) return;
-  ImGui::SetTooltip("%s\n%s", text_of(field.doc).c_str(), text_of(field.equation).c_str());
+  std::string text = text_of(row.doc) + '\n' + text_of(row.equation);
+  if (row.observable == Observable::mean_tb && in.state.observables) {
+    text += "\nnow " + celsius_text(in.state.observables->mean_tb) + "; 0.6 stands for 37 \u00b0C";
+  }
+  ImGui::SetTooltip("%s", text.c_str());
 }
 
 void draw_numbers(const PanelInput& in) {
@@ -31,7 +40,7 @@ void draw_numbers(const PanelInput& in) {
   for (const ObservableField& row : observables()) {
     ImGui::TableNextColumn();
     rich_text(in.fonts, kInk, text_of(row.label).c_str());
-    tip(row);
+    tip(in, row);
     ImGui::TableNextColumn();
     const std::string text =
         in.state.observables ? number(*in.state.observables.*row.value, row.digits) : "\u2013";
@@ -55,7 +64,9 @@ bool NumbersPanel::draw(const PanelInput& in) {
   const bool plots = ImGui::CollapsingHeader("plots", ImGuiTreeNodeFlags_DefaultOpen);
   in.events.widget("plots");
   if (plots) plots_.draw(in);
-  return numbers || plots;
+  const bool phase = draw_phase_panel(in);
+  const bool histograms = draw_histogram_panel(in);
+  return numbers || plots || phase || histograms;
 }
 
 }  // namespace pupflow::window

@@ -72,6 +72,14 @@ void small_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
   ImGui::PopFont();
 }
 
+void small_rich_text(const Fonts& fonts, ImU32 color, const std::string& text) {
+  Fonts small = fonts;
+  small.text = fonts.small;
+  const ImVec2 size = small_text_size(fonts, text);
+  draw_rich_text(*ImGui::GetWindowDrawList(), small, ImGui::GetCursorScreenPos(), color, text);
+  ImGui::Dummy({size.x, 1.3f * size.y});
+}
+
 Plot::Plot(const Fonts& fonts, const Area& paper, const PlotAxes& axes)
     : fonts_(fonts),
       list_(*ImGui::GetWindowDrawList()),

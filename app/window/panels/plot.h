@@ -32,6 +32,9 @@ ImVec2 small_text_size(const Fonts& fonts, const std::string& text);
 void small_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
                 const std::string& text);
 
+/// Small rich text as an item in the layout.
+void small_rich_text(const Fonts& fonts, ImU32 color, const std::string& text);
+
 /// What the axes of a plot look like.
 struct PlotAxes {
   Range x, y;

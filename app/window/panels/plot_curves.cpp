@@ -68,6 +68,9 @@ void widen_to(Range& range, Entries entries, std::size_t observable, Range time,
       widen(range, value);
     }
   }
+  // A line on the edge would not be seen.
+  const double edge = 0.03 * (range.high - range.low);
+  range = {range.low - edge, range.high + edge};
 }
 
 std::optional<double> value_at(std::span<const CurvePoint> curve, double x) {

@@ -25,7 +25,12 @@ constexpr std::array<PlotSpan, 5> kSmoothings{{{0, "raw flow"},
                                                {2, "flow over 2 s"},
                                                {10, "flow over 10 s"}}};
 
-constexpr float kTitleLines = 1.3f, kPaperLines = 3.1f, kGapLines = 0.3f;
+constexpr float kTitleLines = 1.3f, kGapLines = 0.3f;
+
+/// Height of a paper in lines of text. T_b has more in it than the others.
+float paper_lines(const ObservableField& row) {
+  return row.observable == Observable::mean_tb ? 5.5f : 3.1f;
+}
 
 bool is_rate(const ObservableField& row) {
   return row.unit == "1/s";
@@ -200,7 +205,8 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
   const float em = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float below = last ? plot_margin_below(in.fonts) : kGapLines * em;
-  const ImVec2 size{plot_margin_left() + frame.width, (kTitleLines + kPaperLines) * em + below};
+  const float lines = paper_lines(row);
+  const ImVec2 size{plot_margin_left() + frame.width, (kTitleLines + lines) * em + below};
   ImGui::Dummy(size);
   in.events.widget("plot-" + std::string(row.name));
   if (!ImGui::IsItemVisible()) return;
@@ -212,7 +218,9 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
     const auto read = [&](const std::vector<History::Entry>& entries, ImU32 color) {
       const auto value = value_at(observable_curve(entries, observable, window), *frame.pointed);
       if (!value) return;
-      readings.push_back({io::formatted("%.*f", std::max(row.digits, 1), *value), color});
+      const bool whole = *value == std::round(*value);
+      const int digits = row.digits == 0 && !whole ? 1 : row.digits;
+      readings.push_back({io::formatted("%.*f", digits, *value), color});
       if (is_temperature(row)) readings.back().text += " = " + celsius_text(*value);
     };
     read(frame.first, colors.curve);
@@ -220,7 +228,7 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
   }
   draw_title(in.fonts, row, corner, size.x, readings);
 
-  const Area paper{{frame.left, corner.y + kTitleLines * em}, {frame.width, kPaperLines * em}};
+  const Area paper{{frame.left, corner.y + kTitleLines * em}, {frame.width, lines * em}};
   const double least = std::pow(10, -row.digits);
   Range range{row.low, row.high};
   for (const auto* entries : {&frame.first, &frame.second}) {
@@ -266,10 +274,12 @@ void PlotsPanel::draw_curves(const Plot& plot, const Frame& frame, std::size_t o
   if (frame.selected) draw(pup_curve(frame.first, *frame.selected), colors.selected);
   const History::Sample& newest = *frame.first.back().sample;
   const float lift = (newest.tp >= newest.ta ? 0.55f : -0.55f) * ImGui::GetFontSize();
-  const double end = frame.time.high;
-  const double two = 2 * static_cast<double>(ImGui::GetFontSize() / frame.width);
+  // At the end of the lines, side by side, so that they never lie over each other.
+  const double em =
+      static_cast<double>(ImGui::GetFontSize() / frame.width) * (frame.time.high - frame.time.low);
+  const double end = std::min(newest.time, frame.time.high) - em;
   plot.text(end, newest.tp, colors.tp, "T\u209a", lift);
-  plot.text(end - two * (end - frame.time.low), newest.ta, colors.ta, "T\u2090", -lift);
+  plot.text(end - 2 * em, newest.ta, colors.ta, "T\u2090", -lift);
 }
 
 /// A line of fixed place below the plots: what is under the mouse, else what the axis means.
@@ -284,9 +294,7 @@ void PlotsPanel::draw_note(const PanelInput& in, const Frame& frame) const {
     const int steps = frame.first[frame.first.size() / 2].sample->steps;
     if (steps > 1) text += io::formatted(", %d steps a point", steps);
   }
-  ImGui::PushFont(in.fonts.small);
-  ImGui::TextDisabled("%s", text.c_str());
-  ImGui::PopFont();
+  small_rich_text(in.fonts, kFaint, text);
 }
 
 }  // namespace pupflow::window

@@ -10,7 +10,7 @@ struct HuddlingPoint {
   double ta, huddling, deviation;
 };
 
-/// By rising T_a, for the paper's litter (docs/data/figure2-course.csv, which docs/validation.md
+/// By rising T_a, for the paper's litter (docs/data/figure2-course-60-seeds.csv, which docs/validation.md
 /// says how to make).
 std::span<const HuddlingPoint> figure2_curve();
 

@@ -32,7 +32,7 @@ std::vector<TrailPoint> trail_of(const LitterState& state) {
 
 /// Later stretches are darker. Points closer than a pixel are left out.
 void draw_trail(const Plot& plot, const std::vector<TrailPoint>& trail, ImU32 color) {
-  constexpr float kOldest = 0.2f;
+  constexpr float kOldest = 0.2f, kThickness = 1.4f;
   ImVec4 ink = ImGui::ColorConvertU32ToFloat4(color);
   std::vector<Column> piece;
   for (std::size_t i = 0; i < trail.size(); ++i) {
@@ -47,7 +47,7 @@ void draw_trail(const Plot& plot, const std::vector<TrailPoint>& trail, ImU32 co
     if (piece.size() < 2) continue;
     const float age = static_cast<float>(i) / static_cast<float>(trail.size());
     ink.w = kOldest + (1 - kOldest) * age;
-    plot.curve(piece, ImGui::ColorConvertFloat4ToU32(ink));
+    plot.curve(piece, ImGui::ColorConvertFloat4ToU32(ink), kThickness);
     piece.erase(piece.begin());
   }
   if (!trail.empty()) plot.dot(trail.back().ta, trail.back().huddling, color);
@@ -126,7 +126,7 @@ bool draw_phase_panel(const PanelInput& in) {
     draw_trail(plot, trail, colors.curve);
     note = pointed_text(plot, paper, trail);
   }
-  if (note.empty()) note = "T_a; grey: Figure 2, mean and deviation";
+  if (note.empty()) note = "T_a; grey: Figure 2, its mean and deviation";
   small_rich_text(in.fonts, kFaint, note);
   return true;
 }

@@ -129,8 +129,8 @@ void Plot::draw_axes(const PlotAxes& axes) const {
   }
 }
 
-void Plot::curve(std::span<const Column> curve, ImU32 color) const {
-  const float width = line_width();
+void Plot::curve(std::span<const Column> curve, ImU32 color, float thickness) const {
+  const float width = thickness * line_width();
   // Single lines: the joints of a polyline would shoot out where the curve jumps.
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const Column& here = curve[i];

@@ -55,7 +55,7 @@ class Plot {
   const Axis& y() const { return y_; }
 
   /// A line through the means; a vertical one where a column has extremes.
-  void curve(std::span<const Column> curve, ImU32 color) const;
+  void curve(std::span<const Column> curve, ImU32 color, float thickness = 1) const;
   /// The area between the extremes.
   void band(std::span<const Column> curve, ImU32 color) const;
   void bars(const Histogram& bars, ImU32 color) const;

@@ -60,6 +60,7 @@ class LiveWindow {
   void perform(Action action, double now);
   void close_front();
   void take_picture();
+  void save_csv(StepRange steps);
   void show(const std::string& message);
 
   // live_pointer.cpp: what the mouse and keys do with single pups.

@@ -34,6 +34,8 @@ namespace pupflow::window {
 ///   selected PUP|none, view free|follow|eye
 ///   field NAME TEXT       a field of the selected pup as the inspector shows it, when it changes
 ///   samples N             the arena has N x N samples a pixel, when N changes
+///   pointed TIME|nowhere  where on the plots' common time axis the mouse is
+///   saved PATH            a file was written
 ///   tip X Y W H, tip none  where the tooltip is
 ///   visible yes|no        the window was minimised or shown again
 ///   frames N              the window is closed after drawing N frames
@@ -58,6 +60,8 @@ class TestEvents {
   /// What the inspector shows in one of its rows.
   void field(std::string_view name, const std::string& text);
   void screenshot(const std::string& path);
+  /// The line "KIND TEXT", when the text changes.
+  void note(const std::string& kind, const std::string& text);
   /// A frame is on the screen.
   void frame(int samples);
   void closed() const;
@@ -75,6 +79,7 @@ class TestEvents {
   };
   std::string tip_ = "tip none";
   std::map<std::string, Widget> widgets_;
+  std::map<std::string, std::string> notes_;
   std::optional<Params> params_;
   std::string problem_, second_ = "none";
   double speed_ = 1;

@@ -51,15 +51,17 @@ void Target::bind() const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
 }
 
-void Target::copy_to(GLuint framebuffer, int x, int y) const {
-  copy_part_to(framebuffer, x, y, {0, 0, width_, height_});
-}
-
-void Target::copy_part_to(GLuint framebuffer, int x, int y, const Viewport& part) const {
+void Target::copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   glBlitFramebuffer(part.x, part.y, part.x + part.width, part.y + part.height, x, y, x + part.width,
                     y + part.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void Target::show_upside_down() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, width_, height_, 0, height_, width_, 0, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 io::Image Target::read() const {

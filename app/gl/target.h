@@ -28,12 +28,12 @@ class Target {
   /// Binds it for drawing.
   void bind() const;
 
-  /// Copies its colors, pixel by pixel, to (x, y) (lower left) of `framebuffer`, which stays bound
-  /// for drawing.
-  void copy_to(GLuint framebuffer, int x, int y) const;
+  /// Copies the colors of `part`, pixel by pixel, to (x, y) of `framebuffer`, which stays bound for
+  /// drawing.
+  void copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const;
 
-  /// The same with the pixels of `part` alone, whose lower left corner comes to (x, y).
-  void copy_part_to(GLuint framebuffer, int x, int y, const Viewport& part) const;
+  /// Copies its colors to the window, whose upper row its lowest one becomes.
+  void show_upside_down() const;
 
   /// Its colors as a picture.
   io::Image read() const;

@@ -36,16 +36,16 @@ bool Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, vi
     for (const PixelBox& box : boxes) {
       const PixelBox part = common(box, image.place);
       if (part.empty()) continue;
-      image.store->copy_to(store_.framebuffer(), part.left, part.top,
-                           {part.left - image.place.left, part.top - image.place.top, part.width(),
-                            part.height()});
+      image.store->copy_to(
+          store_.framebuffer(), part.left, part.top,
+          {part.left - image.place.left, part.top - image.place.top, part.width(), part.height()});
     }
   }
   glViewport(0, 0, width, height);
   cut_to(data, boxes);
   turn_upside_down(data);
   gui.draw();
-  store_.show_upside_down();
+  copy_.show(store_);
   return true;
 }
 

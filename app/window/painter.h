@@ -32,7 +32,8 @@ class Painter {
 
  private:
   Repaint repaint_;
-  gl::Target store_;
+  gl::Target store_{false};
+  gl::WindowCopy copy_;
   float scale_ = 0, density_ = 0;  // of the fonts that were painted
 };
 

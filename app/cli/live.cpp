@@ -80,6 +80,7 @@ Verb add_live(CLI::App& program) {
       ->check(between(0.0, 1e6));
   app->add_flag("--test-events", options->test_events)->group("");
   add_look(*app, options->look, true);
+  add_overlays(*app, options->look);
   return {app, [options, app] { work(*app, *options); }};
 }
 

@@ -13,11 +13,6 @@
 
 namespace pupflow::gl {
 
-/// Part of a framebuffer in pixels, from its lower left corner.
-struct Viewport {
-  int x = 0, y = 0, width = 0, height = 0;
-};
-
 /// Edge of what is drawn at once where a pixel has many samples; samples.
 constexpr int kLargestPart = 2048;
 
@@ -32,6 +27,9 @@ struct Palette {
   view::Rgb slab{206, 210, 215};   // around the floor and below it
   view::Rgb glass{110, 130, 150}, rim{120, 127, 136};
 };
+
+/// Whether the upper row of what is drawn is the framebuffer's upper row, or its first one.
+enum class Upright { yes, no };
 
 class Renderer {
  public:
@@ -48,7 +46,7 @@ class Renderer {
   /// viewport's. Leaves that framebuffer bound, depth test and blending off. Throws
   /// Failure(bad_input) when the samples need a larger texture than the driver allows.
   void draw(const view::Camera& camera, const Viewport& viewport, int supersample,
-            const Palette& palette = {});
+            const Palette& palette = {}, Upright upright = Upright::yes);
 
   /// The same into a picture of its own.
   io::Image picture(const view::Camera& camera, int width, int height, int supersample,

@@ -24,8 +24,11 @@ bool ArenaView::draw(const LiveState& snapshot, bool fresh, const view::ColorSca
   camera_ = view::framed(camera_, litter.params, static_cast<double>(width) / height);
   const view::Drawing drawing{
       .draw = look_.draw, .quality = look_.quality, .rows = height * samples};
-  const bool reload = fresh || drawing.rows != list_.drawing().rows || camera_ != drawn_camera_ ||
-                      !drawn_scale_ || !scale.same_as(*drawn_scale_);
+  const view::Drawing& drawn = list_.drawing();
+  const bool other_bodies =
+      drawing.rows != drawn.rows || drawing.draw != drawn.draw || drawing.quality != drawn.quality;
+  const bool reload = fresh || other_bodies || camera_ != drawn_camera_ || !drawn_scale_ ||
+                      !scale.same_as(*drawn_scale_);
   const bool same_store =
       store_.width() == width && store_.height() == height && samples == drawn_samples_;
   if (!reload && same_store) return false;
@@ -35,7 +38,7 @@ bool ArenaView::draw(const LiveState& snapshot, bool fresh, const view::ColorSca
   }
   store_.resize(width, height);
   store_.bind();
-  renderer_.draw(camera_, {0, 0, width, height}, samples);
+  renderer_.draw(camera_, {0, 0, width, height}, samples, {}, gl::Upright::no);
   drawn_camera_ = camera_;
   drawn_scale_ = scale;
   drawn_samples_ = samples;

@@ -26,6 +26,10 @@ enum class Action {
   reset_camera,
   top_view,
   side_view,
+  next_pup,
+  previous_pup,
+  follow_pup,
+  pups_eye,
   screenshot,
   open,
   save,
@@ -38,6 +42,8 @@ enum class Action {
   full_screen,
   toggle_panels,
   toggle_help,
+  work_panels,
+  close,
   quit
 };
 

@@ -153,14 +153,14 @@ bool LiveWindow::save_as(const std::string& path) {
   try {
     const std::string saved = desk_.save(path, litter.recipe, litter.step);
     settings_.remember(saved);
-    events_.saved(saved);
+    events_.note("saved", saved);
     show(desk_.set_by_hand() ? "saved " + saved + " without what was done by hand to the checkpoint"
                              : "saved " + saved);
     return true;
   } catch (const io::Failure& failure) {
     dialogs_.refuse(failure.what());
     if (!dialogs_.shown()) show(failure.what());
-    events_.refused(failure.what());
+    events_.note("refused", failure.what());
     return false;
   }
 }
@@ -174,7 +174,7 @@ void LiveWindow::open(const std::string& source) {
   } catch (const io::Failure& failure) {
     dialogs_.refuse(failure.what());
     if (!dialogs_.shown()) show(failure.what());
-    events_.refused(failure.what());
+    events_.note("refused", failure.what());
   }
 }
 
@@ -184,7 +184,7 @@ void LiveWindow::take(const Opened& opened) {
   controls_.params = controls_.seen = controls_.scene = opened.params;
   controls_.problem.clear();
   controls_.commands.push_back(Open{opened.params, opened.from});
-  events_.opened(opened.source);
+  events_.note("opened", opened.source);
   show("opened " + opened.title);
 }
 
@@ -201,7 +201,7 @@ void LiveWindow::copy_command() {
   const LitterView litter = runner_.snapshot().view();
   const std::string command = desk_.command(litter.recipe, litter.step);
   glfwSetClipboardString(window_.handle(), command.c_str());
-  events_.copied(command);
+  events_.note("copied", command);
   show("copied: " + command);
 }
 
@@ -253,6 +253,7 @@ Settings LiveWindow::present() const {
   present.quality = controls_.look.quality;
   present.draw = controls_.look.draw;
   present.panels = controls_.panels;
+  present.pause_minimised = controls_.pause_minimised;
   present.colormap = controls_.look.scale.map_name;
   return present;
 }
@@ -270,6 +271,7 @@ void LiveWindow::keep_settings() {
   follow(&Settings::quality);
   follow(&Settings::draw);
   follow(&Settings::panels);
+  follow(&Settings::pause_minimised);
   // Another field brings the map of its kind.
   follow(&Settings::colormap, field == seen_field_ && field->kind == FieldKind::continuous);
   seen_ = now;
@@ -291,7 +293,7 @@ void LiveWindow::show_title() {
   if (title == title_) return;
   title_ = title;
   glfwSetWindowTitle(window_.handle(), title.c_str());
-  events_.title(title);
+  events_.note("title", title);
 }
 
 }  // namespace pupflow::window

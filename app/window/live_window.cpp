@@ -1,6 +1,5 @@
 #include "app/window/live_window.h"
 
-#include <GL/glew.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -21,13 +20,6 @@ bool drawn_by_processor() {
   const std::string name = gl::renderer_name();
   return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos ||
          name.find("SwiftShader") != std::string::npos;
-}
-
-void clear(const view::Rgb& color) {
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glClearColor(static_cast<float>(color.r) / 255, static_cast<float>(color.g) / 255,
-               static_cast<float>(color.b) / 255, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
 }
 
 }  // namespace
@@ -51,6 +43,7 @@ LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
   controls_.params = controls_.seen = controls_.scene = job.params;
   controls_.look = job.look;
   controls_.panels = settings.panels;
+  controls_.pause_minimised = settings.pause_minimised;
   controls_.recent = settings.recent;
   seen_ = present();
   seen_field_ = job.look.scale.field;
@@ -99,7 +92,8 @@ void LiveWindow::follow_visibility() {
                        glfwGetWindowAttrib(window_.handle(), GLFW_ICONIFIED) == GLFW_FALSE;
   if (visible == schedule_.visible()) return;
   schedule_.set_visible(visible);
-  runner_.send(Suspend{!visible});
+  events_.visible(visible);
+  runner_.send(Suspend{!visible && controls_.pause_minimised});
 }
 
 void LiveWindow::exchange_snapshots(double now) {
@@ -120,30 +114,45 @@ void LiveWindow::frame(double now) {
   schedule_.begin_frame(now);
   gui_->begin_frame();
   const ImGuiIO& io = ImGui::GetIO();
-  const Layout layout =
-      make_layout(io.DisplaySize.x, io.DisplaySize.y, gui_->scale(), controls_.panels);
+  const Layout layout = lay_out();
   const LiveState& snapshot = runner_.snapshot();
   const double rate = snapshot.playing ? schedule_.frames_per_second() : 0;
-  const PanelInput input{snapshot, controls_, gui_->fonts(), events_, rate};
-  observe(panels_.draw(layout, input));
+  const PanelInput input{snapshot, controls_, gui_->fonts(), events_, tips_, rate};
+  tips_.begin_frame(layout, now);
+  panels_.draw(layout, input);
   fit_scale();
-  draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
+  if (layout.bar.size.x > 0)
+    draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
+  if (const auto due = tips_.due()) schedule_.wake_at(*due);
+  events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
+  point_at_pups(layout.arena);
+  events_.problem(controls_.problem_at, controls_.problem);
   move_camera(layout.arena, now);
   desk_frame(input);
+  lead_camera(now);
+  controls_.watch();
+  const DrawnArena drawn = draw_arena(layout);
   gui_->end_frame();
 
   carry_out(now);
-  paint(layout);
+  paint(drawn);
   schedule_.end_frame();
 }
 
-/// The engine works out the observables only while they are shown.
-void LiveWindow::observe(bool observed) {
-  if (observed != observed_) controls_.commands.push_back(Observe{observed});
-  observed_ = observed;
+Layout LiveWindow::lay_out() {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  LayoutWish wish{.width = size.x, .height = size.y, .scale = gui_->scale()};
+  wish.menu = ImGui::GetFrameHeight();
+  wish.transport = panels_.transport_height();
+  if (wish.transport == 0) wish.transport = LayoutWish{}.transport * wish.scale;
+  wish.panels = controls_.panels;
+  wish.drawer = controls_.drawer;
+  const Layout layout = make_layout(wish);
+  controls_.narrow = layout.narrow;
+  return layout;
 }
 
 /// After the panels, which may have chosen another field.
@@ -157,26 +166,37 @@ void LiveWindow::fit_scale() {
   scale_time_ = litter.time;
 }
 
-void LiveWindow::paint(const Layout& layout) {
+/// Into a store of its own; and what is painted over it, into the panels' list.
+LiveWindow::DrawnArena LiveWindow::draw_arena(const Layout& layout) {
   const auto pixels = [&](float length) {
     return static_cast<int>(std::lround(length * gui_->density()));
   };
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_.handle(), &width, &height);
-  const int x = pixels(layout.arena.corner.x), top = pixels(layout.arena.corner.y);
-  const int arena_width = std::min(pixels(layout.arena.size.x), width - x);
-  const int arena_height = std::min(pixels(layout.arena.size.y), height - top);
+  PixelBox place{pixels(layout.arena.corner.x), pixels(layout.arena.corner.y),
+                 pixels(layout.arena.corner.x + layout.arena.size.x),
+                 pixels(layout.arena.corner.y + layout.arena.size.y)};
+  place.right = std::max(std::min(place.right, width), place.left + 1);
+  place.bottom = std::max(std::min(place.bottom, height), place.top + 1);
   const int samples = schedule_.samples(controls_.look.samples());
-  arena_.draw(runner_.snapshot(), schedule_.fresh(), scale_, std::max(arena_width, 1),
-              std::max(arena_height, 1), samples);
-  clear(gl::Palette{}.background);
-  arena_.show(x, height - top - arena_height);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, width, height);
-  gui_->draw();
-  glfwSwapBuffers(window_.handle());
+  const LiveState& snapshot = runner_.snapshot();
+  arena_.set_look(controls_.look);
+  const bool anew =
+      arena_.draw(snapshot, schedule_.fresh(), scale_, place.width(), place.height(), samples);
+  const LitterView litter = snapshot.view();
+  marks_.paint(*ImGui::GetBackgroundDrawList(),
+               {litter, scale_, arena_.camera(), arena_.bodies(), layout.arena}, schedule_.fresh(),
+               controls_.look, selection_marks());
+  return {place, anew, samples};
+}
+
+void LiveWindow::paint(const DrawnArena& drawn) {
+  const Painter::Image arena{&arena_.store(), drawn.place};
+  if (painter_.paint(*gui_, {&arena, 1}, drawn.anew, gl::Palette{}.background)) {
+    glfwSwapBuffers(window_.handle());
+  }
   events_.camera(arena_.camera());
-  events_.frame(samples);
+  events_.frame(drawn.samples);
 }
 
 }  // namespace pupflow::window

@@ -6,13 +6,17 @@
 #include <string>
 
 #include "app/context/glfw_window.h"
+#include "app/view/pick.h"
+#include "app/window/arena_marks.h"
 #include "app/window/arena_view.h"
 #include "app/window/controls.h"
 #include "app/window/gui.h"
 #include "app/window/live_job.h"
+#include "app/window/painter.h"
 #include "app/window/panels/dialogs.h"
 #include "app/window/panels/panels.h"
 #include "app/window/scene_desk.h"
+#include "app/window/selection.h"
 #include "app/window/session/redraw_schedule.h"
 #include "app/window/session/runner.h"
 #include "app/window/settings.h"
@@ -33,15 +37,22 @@ class LiveWindow {
   void run();
 
  private:
+  struct DrawnArena {  // in this frame
+    PixelBox place;
+    bool anew;
+    int samples;
+  };
+
   // live_window.cpp: the loop and its frames.
   bool closing() const;
   void wait_for_events();
   void follow_visibility();
   void exchange_snapshots(double now);
   void frame(double now);
-  void observe(bool observed);
+  Layout lay_out();
   void fit_scale();
-  void paint(const Layout& layout);
+  DrawnArena draw_arena(const Layout& layout);
+  void paint(const DrawnArena& drawn);
 
   // live_actions.cpp: what keys, buttons and the mouse do.
   void install_callbacks();
@@ -51,7 +62,9 @@ class LiveWindow {
   void move_camera(const Area& arena, double now);
   void carry_out(double now);
   void perform(Action action, double now);
+  void close_front();
   void take_picture();
+  void save_csv(StepRange steps);
   void show(const std::string& message);
 
   // live_desk.cpp: scenes, settings, closing.
@@ -74,13 +87,30 @@ class LiveWindow {
   void keep_settings();
   void show_title();
 
+  // live_pointer.cpp: what the mouse and keys do with single pups.
+  struct Pulled {  // by the mouse
+    int pup;
+    Eigen::Vector3d middle;  // when the mouse took it
+  };
+  static constexpr float kStillPixels = 4;  // a press that moved no further is a click
+  view::Ray sight_at_mouse(const Area& arena) const;
+  void point_at_pups(const Area& arena);
+  void begin_pull(int pup);
+  void pull(const Area& arena);
+  void end_pull();
+  void lead_camera(double now);
+  view::Marks selection_marks() const;
+  void perform_on_pup(Action action);
+
   LiveJob job_;
   context::GlfwWindow window_;  // outlives everything that lives in its context
   ArenaView arena_;
+  ArenaMarks marks_;
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
   Controls controls_;
   Panels panels_;
   TestEvents events_;
+  Tips tips_;
   Runner runner_;
   RedrawSchedule schedule_;
   SceneDesk desk_;
@@ -92,10 +122,13 @@ class LiveWindow {
   bool settings_fail_ = false;  // it was said
   std::string title_;
   Area windowed_;  // where the window was before it was full screen
+  Painter painter_;
+  CameraGuide guide_;
+  bool pressed_arena_ = false;  // the left button went down over it, for a click or to turn it
+  std::optional<Pulled> pulled_;
   std::string message_;
   view::ColorScale scale_;  // the look's, fitted to the snapshot that is shown
   double scale_time_ = 0;   // model seconds of the snapshot that it was fitted to
-  bool observed_ = false;   // the panels showed the observables in the last frame
 };
 
 }  // namespace pupflow::window

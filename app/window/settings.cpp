@@ -34,6 +34,7 @@ void each(Visitor&& visit, Of& settings) {
   visit.name("draw", settings.draw, view::kDrawNames);
   visit.map("colormap", settings.colormap);
   visit.flag("panels", settings.panels);
+  visit.flag("pause_minimised", settings.pause_minimised);
   visit.list("recent", settings.recent);
 }
 

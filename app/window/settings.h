@@ -22,6 +22,7 @@ struct Settings {
   view::Draw draw = view::Draw::skin;
   std::string colormap;             // empty: that of the field's kind
   bool panels = true;               // open
+  bool pause_minimised = false;     // a minimised window takes no steps
   std::vector<std::string> recent;  // whole paths, the last one first
 
   friend bool operator==(const Settings&, const Settings&) = default;

@@ -96,8 +96,8 @@ Child::~Child() {
   close(error_file_);
 }
 
-std::optional<std::string> Child::read_line() {
-  const auto give_up = Clock::now() + kPatience;
+std::optional<std::string> Child::read_line(std::chrono::milliseconds patience) {
+  const auto give_up = Clock::now() + patience;
   while (true) {
     const std::size_t end = buffer_.find('\n');
     if (end != std::string::npos) {
@@ -108,7 +108,7 @@ std::optional<std::string> Child::read_line() {
     const auto left =
         std::chrono::duration_cast<std::chrono::milliseconds>(give_up - Clock::now()).count();
     pollfd waiting{output_, POLLIN, 0};
-    if (left <= 0 || poll(&waiting, 1, static_cast<int>(left)) <= 0) return {};
+    if (poll(&waiting, 1, static_cast<int>(std::max<long>(left, 0))) <= 0) return {};
     std::array<char, 4096> bytes;
     const ssize_t count = read(output_, bytes.data(), bytes.size());
     if (count <= 0) return {};

@@ -29,6 +29,7 @@ Settings other_settings() {
   settings.draw = view::Draw::both;
   settings.colormap = "inferno";
   settings.panels = false;
+  settings.pause_minimised = true;
   settings.recent = {"/a/\"b\".toml", "/\u03b1/c d.h5"};
   return settings;
 }

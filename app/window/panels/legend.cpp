@@ -4,53 +4,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/window/text_line.h"
+
 namespace pupflow::window {
 namespace {
-
-constexpr double kSubscriptSize = 0.75, kSubscriptDrop = 0.2;  // of the text size
-
-ImU32 packed(view::Rgb color) {
-  return IM_COL32(color.r, color.g, color.b, 255);
-}
 
 ImVec2 place(double x, double y) {
   return {static_cast<float>(x), static_cast<float>(y)};
 }
 
-double size_of(const view::TextRun& run, double size) {
-  return run.style == view::TextRun::Style::subscript ? kSubscriptSize * size : size;
-}
-
-double width_of(const view::TextLine& line, double size, const ImFont& font) {
-  double width = 0;
-  for (const view::TextRun& run : line) {
-    const auto em = static_cast<float>(size_of(run, size));
-    width += static_cast<double>(font.CalcTextSizeA(em, FLT_MAX, 0, run.text.c_str()).x);
-  }
-  return width;
-}
-
-/// Draws `line` from (x, y), the left end of its baseline.
-void draw_line(ImDrawList& list, const ImFont& font, double x, double y, const view::TextLine& line,
-               double size) {
-  for (const view::TextRun& run : line) {
-    const double em = size_of(run, size);
-    const bool lowered = run.style == view::TextRun::Style::subscript;
-    const double ascent = static_cast<double>(font.Ascent / font.FontSize) * em;
-    list.AddText(&font, static_cast<float>(em),
-                 place(x, y - ascent + (lowered ? kSubscriptDrop * size : 0)), kPaperInk,
-                 run.text.c_str());
-    x += width_of({run}, size, font);
-  }
-}
-
 void draw_label(ImDrawList& list, const ImFont& font, const view::ColorBar::Label& label) {
-  const double share = label.align == view::Align::left     ? 0
-                       : label.align == view::Align::centre ? 0.5
-                                                            : 1;
-  const double x = label.x - share * width_of(label.text, label.size, font);
+  const double x = aligned(font, label.x, label.text, label.size, label.align);
   const int first = list.VtxBuffer.Size;
-  draw_line(list, font, x, label.y, label.text, label.size);
+  draw_line(list, font, x, label.y, label.text, label.size, kPaperInk);
   if (!label.upwards) return;
   // A quarter turn counter-clockwise about the middle of the baseline.
   const ImVec2 middle = place(label.x, label.y);

@@ -18,7 +18,7 @@ constexpr const char* kScene = "Scene";
 /// The entries of one menu, in their order.
 struct Menu {
   const char* title;
-  std::array<Action, 9> actions;
+  std::array<Action, 12> actions;
   std::size_t count;
 };
 
@@ -33,10 +33,10 @@ constexpr std::array kMenus{
          7},
     Menu{"Edit", {Action::undo, Action::redo}, 2},
     Menu{"View",
-         {Action::reset_camera, Action::top_view, Action::side_view, Action::toggle_panels,
-          Action::switch_theme, Action::larger, Action::smaller, Action::usual_size,
-          Action::full_screen},
-         9},
+         {Action::reset_camera, Action::top_view, Action::side_view, Action::next_pup,
+          Action::follow_pup, Action::pups_eye, Action::toggle_panels, Action::switch_theme,
+          Action::larger, Action::smaller, Action::usual_size, Action::full_screen},
+         12},
     Menu{"Help", {Action::toggle_help}, 1},
 };
 
@@ -102,6 +102,17 @@ void draw_recent(const PanelInput& in) {
   ImGui::EndMenu();
 }
 
+/// At the right end, in every layout: what H does.
+void draw_panels_button(const PanelInput& in) {
+  const bool shown = in.controls.narrow ? in.controls.drawer : in.controls.panels;
+  const char* label = shown ? "Hide panels" : "Panels";
+  const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x);
+  if (ImGui::SmallButton(label)) in.controls.actions.push_back(Action::toggle_panels);
+  in.events.widget("panels");
+  in.tips.show("Hide or show the panels (H)");
+}
+
 }  // namespace
 
 void draw_menu(const PanelInput& in) {
@@ -122,8 +133,13 @@ void draw_menu(const PanelInput& in) {
       }
       in.events.widget(word(row.text));
     }
+    if (menu.title == std::string_view("Run")) {
+      ImGui::MenuItem("Pause when minimised", nullptr, &in.controls.pause_minimised);
+      in.events.widget("pause_minimised");
+    }
     ImGui::EndMenu();
   }
+  draw_panels_button(in);
   ImGui::EndMainMenuBar();
 }
 

@@ -1,10 +1,12 @@
 #include "app/window/panels/panels.h"
 
+#include <array>
+#include <cmath>
 #include <string>
 
+#include "app/window/panels/help.h"
 #include "app/window/panels/look_panel.h"
 #include "app/window/panels/menu.h"
-#include "app/window/panels/numbers_panel.h"
 #include "app/window/panels/overlays.h"
 
 namespace pupflow::window {
@@ -15,12 +17,20 @@ constexpr ImGuiWindowFlags kPanel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+constexpr const char *kLeft = "left", *kRight = "right", *kTransport = "transport";
+
 void begin_panel(const char* name, const Area& area) {
   ImGui::SetNextWindowPos(area.corner);
   ImGui::SetNextWindowSize(area.size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::Begin(name, nullptr, kPanel);
   ImGui::PopStyleVar();
+}
+
+/// What the window being submitted needs to show everything submitted so far.
+float content_height() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  return std::ceil(ImGui::GetCursorPosY() - style.ItemSpacing.y + style.WindowPadding.y);
 }
 
 /// Below what scrolls, and always there, so that nothing moves when it speaks.
@@ -35,21 +45,27 @@ void draw_problem(const PanelInput& in) {
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
+  in.tips.show(text);
 }
 
 }  // namespace
 
+std::span<const char* const> Panels::names() {
+  static constexpr std::array kNames{kLeft, kRight, kTransport};
+  return kNames;
+}
+
 bool Panels::draw(const Layout& layout, const PanelInput& in) {
   bool observed = false;
   draw_menu(in);
-  if (in.controls.panels) {
-    begin_panel("left", layout.left);
+  if (layout.left.size.x > 0) {
+    begin_panel(kLeft, layout.left);
     constexpr int kProblemLines = 2;
     ImGui::BeginChild("rows", {0, -kProblemLines * ImGui::GetTextLineHeightWithSpacing()});
     parameters_.draw_top(in);
     parameters_.draw_groups(in);
     if (!layout.two_panels) {
-      observed = draw_numbers_panel(in);
+      observed = numbers_.draw(in);
       draw_look_panel(in);
     }
     ImGui::EndChild();
@@ -57,20 +73,18 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
     ImGui::End();
   }
   if (layout.two_panels) {
-    begin_panel("right", layout.right);
-    observed = draw_numbers_panel(in);
+    begin_panel(kRight, layout.right);
+    observed = numbers_.draw(in);
     draw_look_panel(in);
     ImGui::End();
   }
-  const float margin = kTransportMargin * ImGui::GetFontSize() / kTransportTextSize;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {margin, margin});
-  begin_panel("transport", layout.transport);
-  ImGui::PopStyleVar();
+  begin_panel(kTransport, layout.transport);
   transport_.draw(in);
+  transport_height_ = content_height();
   ImGui::End();
-  draw_warnings(layout.arena, in);
+  draw_notices(layout.arena, in);
   draw_bad_status(layout.arena, in);
-  draw_help(layout.arena, in);
+  draw_help(in);
   return observed;
 }
 

@@ -17,8 +17,9 @@ namespace {
 constexpr std::array<std::string_view, 3> kTop{"ta", "alpha", "beta"};
 constexpr std::string_view kPresetOf = "ta";
 constexpr const char* kField = "##field";
-constexpr float kFieldWidth = 4.8f;           // em
-constexpr const char* kRestarts = " \u21bb";  // an open circle arrow
+constexpr float kFieldWidth = 4.8f, kTitleWidth = 12;  // em
+constexpr float kLeastOthers = 16;                     // em; symbol, slider and field
+constexpr const char* kRestarts = " \u21bb";           // an open circle arrow
 
 bool on_top(const Parameter& parameter) {
   return std::count(kTop.begin(), kTop.end(), parameter.name) > 0;
@@ -39,15 +40,7 @@ double rounded(const Parameter& parameter, double value) {
 }
 
 void tooltip(const Parameter& parameter, const PanelInput& in) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
-      ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    return;
-  }
-  // Beside the panel, where it hides no other slider.
-  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
-  ImGui::SetNextWindowPos({right + 0.3f * ImGui::GetFontSize(), ImGui::GetItemRectMin().y});
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
+  if (!in.tips.begin()) return;
   std::string title(parameter.title);
   if (!parameter.symbol.empty()) title = std::string(parameter.symbol) + "  " + title;
   rich_text(in.fonts, kAccent, title);
@@ -63,8 +56,7 @@ void tooltip(const Parameter& parameter, const PanelInput& in) {
   if (parameter.effect == Parameter::Effect::restart) {
     ImGui::TextUnformatted("A change restarts the litter.");
   }
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+  in.tips.end();
 }
 
 void choice(const Parameter& parameter, const PanelInput& in) {
@@ -133,9 +125,12 @@ bool draw_title(const Parameter& parameter, const PanelInput& in) {
 bool begin_rows(const char* id) {
   if (!ImGui::BeginTable(id, 3)) return false;
   const float em = ImGui::GetFontSize();
+  // A narrow panel takes from the titles, which tooltips repeat, and not from the sliders.
+  const float title =
+      std::clamp(ImGui::GetContentRegionAvail().x - kLeastOthers * em, 5 * em, kTitleWidth * em);
   ImGui::TableSetupColumn("symbol", ImGuiTableColumnFlags_WidthFixed, 3 * em);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("title", ImGuiTableColumnFlags_WidthFixed, 12 * em);
+  ImGui::TableSetupColumn("title", ImGuiTableColumnFlags_WidthFixed, title);
   return true;
 }
 
@@ -199,8 +194,9 @@ void ParameterPanel::row(const Parameter& parameter, const PanelInput& in) {
     item();
   }
   ImGui::TableNextColumn();
-  if (draw_title(parameter, in) || right_click) menu_.open(parameter, in);
-  tooltip(parameter, in);
+  const bool pressed = draw_title(parameter, in);
+  item();
+  if (pressed || right_click) menu_.open(parameter, in);
   if (menu_.draw(parameter, in)) entry_.focus(kField);
   ImGui::PopID();
 }

@@ -46,16 +46,19 @@ void button(const char* label, const char* name, const char* whose, const Params
   if (ImGui::Button(label, {width, 0})) in.controls.propose(wanted);
   ImGui::EndDisabled();
   in.events.widget(name);
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   if (difference.empty()) {
-    ImGui::SetTooltip("All parameters have %s values.", whose);
+    in.tips.show("All parameters have " + std::string(whose) + " values.");
     return;
   }
-  ImGui::SetTooltip("%s%s\nSeed and precision stay. Ctrl + Z takes it back.", difference.c_str(),
-                    needs_restart(present, wanted) ? "\nThe litter restarts." : "");
+  in.tips.show(difference + (needs_restart(present, wanted) ? "\nThe litter restarts." : "") +
+               "\nSeed and precision stay. Ctrl + Z takes it back.");
 }
 
 }  // namespace
+
+std::string label_of(const Parameter& parameter) {
+  return std::string(parameter.symbol.empty() ? parameter.name : parameter.symbol);
+}
 
 std::string difference_text(const Params& from, const Params& to, int most) {
   std::string text;
@@ -63,7 +66,7 @@ std::string difference_text(const Params& from, const Params& to, int most) {
   for (const Parameter& parameter : parameters()) {
     if (parameter.get(from) == parameter.get(to) || ++count > most) continue;
     if (!text.empty()) text += ", ";
-    text += std::string(parameter.name) + ' ' + format_value(parameter, from) + " \u2192 " +
+    text += label_of(parameter) + ' ' + format_value(parameter, from) + " \u2192 " +
             format_value(parameter, to);
   }
   if (count > most) text += " and " + std::to_string(count - most) + " more";
@@ -86,10 +89,8 @@ void draw_presets(const Parameter& parameter, const PanelInput& in) {
     if (ImGui::Button(scene.title.c_str(), {width, 0})) in.controls.propose(parameter, value);
     if (here) ImGui::PopStyleColor();
     in.events.widget("preset-" + scene.title);
-    if (ImGui::IsItemHovered()) {
-      ImGui::SetTooltip("%s = %s: %s", std::string(parameter.name).c_str(),
-                        format_value(parameter, value).c_str(), scene.description.c_str());
-    }
+    in.tips.show(label_of(parameter) + " = " + format_value(parameter, value) + ": " +
+                 scene.description);
   }
 }
 

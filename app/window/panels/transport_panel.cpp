@@ -15,17 +15,13 @@ namespace {
 constexpr std::array kInMenu{TransportPart::speed, TransportPart::as_fast, TransportPart::seed,
                              TransportPart::compare};
 
-void tip(const char* text) {
-  if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("%s", text);
-}
-
 void button(const char* label, const char* name, const char* doc, Action action, float width,
             bool enabled, const PanelInput& in) {
   ImGui::BeginDisabled(!enabled);
   if (ImGui::Button(label, {width, 0})) in.controls.actions.push_back(action);
   ImGui::EndDisabled();
   in.events.widget(name);
-  tip(doc);
+  in.tips.show(doc);
 }
 
 /// Model time and step; how fast it goes, as measured.
@@ -55,7 +51,7 @@ void draw_as_fast(const PanelInput& in) {
   bool as_fast = in.controls.as_fast;
   if (ImGui::Checkbox("as fast as possible", &as_fast)) in.controls.set_as_fast(as_fast);
   in.events.widget("as_fast");
-  tip("Step without regard to the clock (F)");
+  in.tips.show("Step without regard to the clock (F)");
 }
 
 }  // namespace
@@ -77,9 +73,8 @@ void TransportPanel::draw(const PanelInput& in) {
     if (plan.row_of(part) < 0) continue;
     if (plan.row_of(part) == row) ImGui::SameLine(0, gap);
     row = plan.row_of(part);
-    const bool last = i + 1 == kTransportParts || plan.row[static_cast<std::size_t>(i) + 1] != row;
     const float rest = left + width - ImGui::GetCursorPosX();
-    draw_part(part, last ? rest : std::min(transport_width(part) * em, rest), in);
+    draw_part(part, plan.ends_row(part) ? rest : std::min(transport_width(part) * em, rest), in);
   }
 }
 
@@ -130,7 +125,7 @@ void TransportPanel::draw_part(TransportPart part, float width, const PanelInput
 void TransportPanel::draw_more(float width, const PanelInput& in) {
   if (ImGui::Button("Speed \u2026", {width, 0})) ImGui::OpenPopup("more");
   in.events.widget("more");
-  tip("Speed, seed, comparison");
+  in.tips.show("Speed, seed, comparison");
   if (!ImGui::BeginPopup("more")) return;
   for (const TransportPart part : kInMenu) draw_part(part, 17 * ImGui::GetFontSize(), in);
   ImGui::EndPopup();
@@ -150,7 +145,7 @@ void TransportPanel::draw_speed(float width, const PanelInput& in) {
                                          &Controls::kSlowest, &Controls::kFastest, " ",
                                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
   in.events.widget("speed");
-  tip("Model time against real time (+ and -, 1 for real time)");
+  in.tips.show("Model time against real time (+ and -, 1 for real time)");
   if (typing && ImGui::IsItemClicked()) entry_.focus("##speed");
   if (moved && !typing && speed > 0) in.controls.set_speed(speed);
   ImGui::SameLine(0, gap);
@@ -167,7 +162,7 @@ void TransportPanel::draw_speed(float width, const PanelInput& in) {
     }
   }
   in.events.widget("speed-field");
-  tip("Times real time");
+  in.tips.show("Times real time");
   ImGui::SameLine(0, gap);
   ImGui::TextDisabled("\u00d7");
 }
@@ -190,11 +185,11 @@ void TransportPanel::draw_seed(float width, const PanelInput& in) {
     }
   }
   in.events.widget("seed");
-  tip("Fixes every random number. Type another and press Enter: the litter starts again.");
+  in.tips.show("Fixes every random number. Type another and press Enter: the litter starts again.");
   ImGui::SameLine(0, gap);
   if (ImGui::Button("New", {button_width, 0})) in.controls.actions.push_back(Action::new_seed);
   in.events.widget("new_seed");
-  tip("Start again with a random seed (Shift + R)");
+  in.tips.show("Start again with a random seed (Shift + R)");
 }
 
 }  // namespace pupflow::window

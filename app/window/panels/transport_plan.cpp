@@ -1,19 +1,26 @@
 #include "app/window/panels/transport_plan.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace pupflow::window {
 namespace {
 
-constexpr float kRowHeight = 20, kRowGap = 5;  // at scale 1, as the theme has them
-constexpr float kLeastForAll = 40;             // em; narrower than that, some parts are in the menu
+constexpr float kLeastForAll = 40;  // em; narrower than that, some parts are in the menu
 
-constexpr std::array<float, kTransportParts> kWidths{4.4f, 2,  2,     4.8f, 4.6f, 5,
-                                                     9,    15, 10.6f, 12,   8};
+constexpr std::array<float, kTransportParts> kWidths{4.4f, 2,  2,     4.8f,  4.6f, 5,
+                                                     9,    14, 10.6f, 10.6f, 7.6f};
 
 bool in_menu(TransportPart part) {
   return part >= TransportPart::speed;
 }
 
 }  // namespace
+
+bool TransportPlan::ends_row(TransportPart part) const {
+  const int here = row_of(part);
+  return std::count(row.begin() + static_cast<std::ptrdiff_t>(part) + 1, row.end(), here) == 0;
+}
 
 float transport_width(TransportPart part) {
   return kWidths[static_cast<std::size_t>(part)];
@@ -39,13 +46,6 @@ TransportPlan plan_transport(float width) {
     row = plan.rows - 1;
   }
   return plan;
-}
-
-float transport_height(float width, float scale) {
-  const float inner = (width / scale - 2 * kTransportMargin) / kTransportTextSize;
-  const auto rows = static_cast<float>(plan_transport(inner).rows);
-  return scale *
-         (2 * kTransportMargin + kStripHeight * kTransportTextSize + rows * (kRowHeight + kRowGap));
 }
 
 }  // namespace pupflow::window

@@ -29,6 +29,7 @@ struct TransportPlan {
   bool compact = false;  // the last parts are in the menu
 
   int row_of(TransportPart part) const { return row[static_cast<std::size_t>(part)]; }
+  bool ends_row(TransportPart part) const;
 };
 
 /// The width of a part, in multiples of the text size; the last one of a row takes what is left.
@@ -40,12 +41,5 @@ TransportPlan plan_transport(float width);
 
 /// Height of the timeline above the rows, in multiples of the text size.
 constexpr float kStripHeight = 2.4f;
-
-/// The height of the whole transport in a window column of that width, with widgets of that scale;
-/// both in window coordinates.
-float transport_height(float width, float scale);
-
-/// Its margins and its text at scale 1.
-constexpr float kTransportMargin = 9, kTransportTextSize = 14;
 
 }  // namespace pupflow::window

@@ -164,6 +164,13 @@ void Camera::zoom(double factor) {
   distance_ = std::clamp(distance_ / factor, kNearest, kFurthest);
 }
 
+void Camera::zoom_at(double factor, double right_share, double up_share) {
+  const double before = half_height();
+  zoom(factor);
+  const double gained = 2 * (before - half_height());
+  target_ += gained * (right_share * right() + up_share * up());
+}
+
 CameraMatrices Camera::matrices(double aspect, const Bounds& bounds) const {
   const Eigen::Vector3d axes[3] = {right(), up(), backward()};
   Eigen::Matrix4d view = Eigen::Matrix4d::Identity();

@@ -68,6 +68,10 @@ class Camera {
   /// Divides the distance by `factor` (> 1: closer); stays within 0.05 ... 10^6 arena units.
   void zoom(double factor);
 
+  /// The same towards a place of the picture, `right` and `up` of its middle in shares of its
+  /// height: what lies there, as far away as the target, stays there.
+  void zoom_at(double factor, double right, double up);
+
   Projection projection() const { return projection_; }
   double azimuth() const { return azimuth_; }
   double elevation() const { return elevation_; }

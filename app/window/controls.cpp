@@ -6,23 +6,23 @@
 
 namespace pupflow::window {
 
-void Controls::propose(const Params& candidate) {
+void Controls::propose(const Params& candidate, bool continues) {
   const std::vector<Problem> problems = check(candidate);
   problem = problems.empty() ? std::string{} : problems.front().message;
   problem_at = problems.empty() ? std::string{} : problems.front().parameter;
   if (!problems.empty() || candidate == params) return;
-  commands.push_back(Edit{candidate, params});
+  commands.push_back(Edit{candidate, params, continues});
   params = candidate;
 }
 
-void Controls::propose(const Parameter& parameter, double value) {
+void Controls::propose(const Parameter& parameter, double value, bool continues) {
   if (Problem found; !check_value(parameter, value, found)) {
     refuse(found.parameter, found.message);
     return;
   }
   Params candidate = params;
   parameter.set(candidate, value);
-  propose(candidate);
+  propose(candidate, continues);
 }
 
 void Controls::refuse(std::string_view field, std::string reason) {

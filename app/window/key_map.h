@@ -31,8 +31,19 @@ enum class Action {
   follow_pup,
   pups_eye,
   screenshot,
+  open,
+  save,
+  save_as,
+  copy_command,
+  larger,
+  smaller,
+  usual_size,
+  switch_theme,
+  full_screen,
   toggle_panels,
   toggle_help,
+  work_panels,
+  close,
   quit
 };
 

@@ -220,6 +220,31 @@ TEST(Camera, PanMovesTheSceneByThatShareOfThePicture) {
   }
 }
 
+TEST(Camera, ZoomTowardsAPlaceKeepsWhatLiesThere) {
+  for (const char* spec : {"top", "side", "orbit:30,35,9", "orbit:-100,80"}) {
+    for (const double factor : {1.1, 3.0, 0.5}) {
+      Camera camera = Camera::parse(spec);
+      camera.frame(2, 0.6, 1);
+      const double right = 0.31, up = -0.22;
+      const Vector there =
+          camera.target() + 2 * camera.half_height() * (right * camera.right() + up * camera.up());
+      const double distance = camera.distance();
+      camera.zoom_at(factor, right, up);
+      EXPECT_DOUBLE_EQ(camera.distance(), distance / factor) << spec;
+      const Vector seen = project(camera, 1, kBounds, there);
+      EXPECT_NEAR(seen.x(), 2 * right, 1e-5) << spec;
+      EXPECT_NEAR(seen.y(), 2 * up, 1e-5) << spec;
+    }
+  }
+}
+
+TEST(Camera, ZoomTowardsAPlaceStaysWhereItIsAtItsLimit) {
+  Camera camera = Camera::parse("orbit:30,35,0.05");
+  const Vector target = camera.target();
+  camera.zoom_at(2, 0.4, 0.4);
+  EXPECT_EQ(camera.target(), target);
+}
+
 TEST(Camera, ZoomDividesTheDistanceWithinLimits) {
   Camera camera = Camera::parse("orbit:30,35,8");
   camera.zoom(2);

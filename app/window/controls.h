@@ -27,8 +27,8 @@ struct Controls {
   double speed = 1;      // times real time, unless
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
-  std::optional<std::int64_t> typed_seed;  // while it is being typed
-  std::optional<int> selected;  // a pup, by its number
+  std::optional<std::int64_t> typed_seed;     // while it is being typed
+  std::optional<int> selected;                // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
   bool panels = true;
   bool help = false;

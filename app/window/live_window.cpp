@@ -10,7 +10,6 @@
 #include "app/gl/load.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
-#include "app/window/panels/legend.h"
 #include "app/window/panels/overlays.h"
 
 namespace pupflow::window {
@@ -112,7 +111,7 @@ void LiveWindow::frame(double now) {
   tips_.begin_frame(layout, now);
   observe(panels_.draw(layout, input));
   fit_scale();
-  draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
+  legend_.draw(layout.bar, scale_, input);
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
@@ -158,8 +157,8 @@ LiveWindow::DrawnArena LiveWindow::draw_arena(const Layout& layout) {
   const int samples = schedule_.samples(controls_.look.samples());
   const LiveState& snapshot = runner_.snapshot();
   arena_.set_look(controls_.look);
-  const bool anew = arena_.draw(snapshot, schedule_.fresh(), scale_, place.width(), place.height(),
-                                samples);
+  const bool anew =
+      arena_.draw(snapshot, schedule_.fresh(), scale_, place.width(), place.height(), samples);
   const LitterView litter = snapshot.view();
   marks_.paint(*ImGui::GetBackgroundDrawList(),
                {litter, scale_, arena_.camera(), arena_.bodies(), layout.arena}, schedule_.fresh(),

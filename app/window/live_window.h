@@ -11,6 +11,7 @@
 #include "app/window/gui.h"
 #include "app/window/live_job.h"
 #include "app/window/painter.h"
+#include "app/window/panels/legend_panel.h"
 #include "app/window/panels/panels.h"
 #include "app/window/session/redraw_schedule.h"
 #include "app/window/session/runner.h"
@@ -66,6 +67,7 @@ class LiveWindow {
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
   Controls controls_;
   Panels panels_;
+  LegendPanel legend_;
   TestEvents events_;
   Tips tips_;
   Runner runner_;

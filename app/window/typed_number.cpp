@@ -58,7 +58,8 @@ Typed read_typed(const Parameter& parameter, std::string_view text) {
 Typed read_typed(std::string_view name, double low, double high, std::string_view text) {
   const std::string range = io::number_text(low) + " \u2026 " + io::number_text(high);
   Typed typed = read_typed(text);
-  if (const double* value = std::get_if<double>(&typed); value && !(*value >= low && *value <= high)) {
+  if (const double* value = std::get_if<double>(&typed);
+      value && !(*value >= low && *value <= high)) {
     typed = io::quoted(trimmed(text)) + " is out of range";
   }
   return named(name, range, typed);

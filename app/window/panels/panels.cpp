@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "app/window/panels/look_panel.h"
 #include "app/window/panels/menu.h"
 #include "app/window/panels/numbers_panel.h"
 #include "app/window/panels/overlays.h"
@@ -53,17 +52,13 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
     begin_panel("left", layout.left);
     parameters_.draw_top(in);
     draw_problem(in);
-    if (!layout.two_panels) {
-      observed = draw_numbers_panel(in);
-      draw_look_panel(in);
-    }
+    if (!layout.two_panels) observed = draw_numbers_panel(in);
     draw_parameters(in);
     ImGui::End();
   }
   if (layout.two_panels) {
     begin_panel("right", layout.right);
     observed = draw_numbers_panel(in);
-    draw_look_panel(in);
     ImGui::End();
   }
   begin_panel("transport", layout.transport);

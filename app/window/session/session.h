@@ -27,8 +27,8 @@ struct Speed {  // times real time; infinite: as fast as possible
 struct Edit {  // a whole parameter set; a new litter when one that defines it differs
   Params params;
   std::optional<Params> before =
-      {};  // what the user saw: only what differs from it is changed, so that
-           // the schedule goes on with the rest
+      {};                  // what the user saw: only what differs from it is changed, so that
+                           // the schedule goes on with the rest
   bool continues = false;  // the same drag of a slider goes on: one undo takes all of it back
 };
 struct Restart {};  // the same litter from t = 0

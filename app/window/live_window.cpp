@@ -10,7 +10,6 @@
 #include "app/gl/load.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
-#include "app/window/panels/legend.h"
 #include "app/window/panels/overlays.h"
 
 namespace pupflow::window {
@@ -121,8 +120,7 @@ void LiveWindow::frame(double now) {
   tips_.begin_frame(layout, now);
   panels_.draw(layout, input);
   fit_scale();
-  if (layout.bar.size.x > 0)
-    draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
+  if (layout.bar.size.x > 0) legend_.draw(layout.bar, scale_, input);
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);

@@ -14,6 +14,7 @@
 #include "app/window/live_job.h"
 #include "app/window/painter.h"
 #include "app/window/panels/dialogs.h"
+#include "app/window/panels/legend_panel.h"
 #include "app/window/panels/panels.h"
 #include "app/window/scene_desk.h"
 #include "app/window/selection.h"
@@ -109,6 +110,7 @@ class LiveWindow {
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
   Controls controls_;
   Panels panels_;
+  LegendPanel legend_;
   TestEvents events_;
   Tips tips_;
   Runner runner_;

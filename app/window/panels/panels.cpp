@@ -5,7 +5,6 @@
 #include <string>
 
 #include "app/window/panels/help.h"
-#include "app/window/panels/look_panel.h"
 #include "app/window/panels/menu.h"
 #include "app/window/panels/overlays.h"
 
@@ -68,7 +67,6 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
     if (!layout.two_panels) {
       inspector_.draw(in);
       observed = numbers_.draw(in);
-      draw_look_panel(in);
     }
     ImGui::EndChild();
     draw_problem(in);
@@ -78,7 +76,6 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
     begin_panel(kRight, layout.right);
     inspector_.draw(in);
     observed = numbers_.draw(in);
-    draw_look_panel(in);
     ImGui::End();
   }
   begin_panel(kTransport, layout.transport);

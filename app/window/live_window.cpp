@@ -49,7 +49,7 @@ LiveWindow::LiveWindow(const LiveJob& job)
   controls_.look = job.look;
   runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();
-  gui_ = std::make_unique<Gui>(window_, job.ui_scale);
+  gui_ = std::make_unique<Gui>(window_, job.ui_scale, Theme::light);
   install_key_callback();
   glfwSwapInterval(1);
   if (job.look.verbose) {
@@ -117,7 +117,7 @@ void LiveWindow::frame(double now) {
   const double rate = snapshot.playing ? schedule_.frames_per_second() : 0;
   const PanelInput input{snapshot, controls_, gui_->fonts(), events_, tips_, rate};
   tips_.begin_frame(layout, now);
-  observe(panels_.draw(layout, input));
+  panels_.draw(layout, input);
   fit_scale();
   if (layout.bar.size.x > 0)
     draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
@@ -145,12 +145,6 @@ Layout LiveWindow::lay_out() {
   const Layout layout = make_layout(wish);
   controls_.narrow = layout.narrow;
   return layout;
-}
-
-/// The engine works out the observables only while they are shown.
-void LiveWindow::observe(bool observed) {
-  if (observed != observed_) controls_.commands.push_back(Observe{observed});
-  observed_ = observed;
 }
 
 /// After the panels, which may have chosen another field.

@@ -36,7 +36,6 @@ class LiveWindow {
   void exchange_snapshots(double now);
   void frame(double now);
   Layout lay_out();
-  void observe(bool observed);
   void fit_scale();
   void paint(const Layout& layout);
 
@@ -65,7 +64,6 @@ class LiveWindow {
   std::string message_;
   view::ColorScale scale_;  // the look's, fitted to the snapshot that is shown
   double scale_time_ = 0;   // model seconds of the snapshot that it was fitted to
-  bool observed_ = false;   // the panels showed the observables in the last frame
 };
 
 }  // namespace pupflow::window

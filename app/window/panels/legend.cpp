@@ -38,7 +38,7 @@ void draw_line(ImDrawList& list, const ImFont& font, double x, double y, const v
     const bool lowered = run.style == view::TextRun::Style::subscript;
     const double ascent = static_cast<double>(font.Ascent / font.FontSize) * em;
     list.AddText(&font, static_cast<float>(em),
-                 place(x, y - ascent + (lowered ? kSubscriptDrop * size : 0)), kInk,
+                 place(x, y - ascent + (lowered ? kSubscriptDrop * size : 0)), kPaperInk,
                  run.text.c_str());
     x += width_of({run}, size, font);
   }
@@ -82,14 +82,14 @@ void paint(ImDrawList& list, const ImFont& font, const view::ColorBar& layout) {
   for (const auto& fill : layout.fills) {
     list.AddRectFilled(low(fill.box), high(fill.box), packed(fill.color));
   }
-  for (const view::Box& box : layout.frames) list.AddRect(low(box), high(box), kFaint);
+  for (const view::Box& box : layout.frames) list.AddRect(low(box), high(box), kPaperFaint);
   for (const auto& s : layout.strokes) {
-    list.AddLine(place(s.x0, s.y0), place(s.x1, s.y1), kFaint, static_cast<float>(s.width));
+    list.AddLine(place(s.x0, s.y0), place(s.x1, s.y1), kPaperFaint, static_cast<float>(s.width));
   }
   for (const auto& [corners, color] : layout.triangles) {
-    list.AddTriangleFilled(place(corners[0].x(), corners[0].y()),
-                           place(corners[1].x(), corners[1].y()),
-                           place(corners[2].x(), corners[2].y()), color ? packed(*color) : kInk);
+    list.AddTriangleFilled(
+        place(corners[0].x(), corners[0].y()), place(corners[1].x(), corners[1].y()),
+        place(corners[2].x(), corners[2].y()), color ? packed(*color) : kPaperInk);
   }
   if (layout.wheel) paint_wheel(list, *layout.wheel);
   for (const auto& label : layout.labels) draw_label(list, font, label);

@@ -15,7 +15,7 @@ void draw_bad_status(const Area& arena, const PanelInput& in) {
   if (in.state.status.ok()) return;
   const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({arena.middle().x, arena.corner.y + em}, ImGuiCond_Always, {0.5f, 0});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(253, 236, 234, 255));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, kBadPanel);
   ImGui::PushStyleColor(ImGuiCol_Border, kBad);
   ImGui::Begin("bad status", nullptr, kFloating);
   ImGui::PushFont(in.fonts.title);

@@ -28,15 +28,19 @@ struct StepRange {
 struct Controls {
   Params params;         // the window's copy: always sound, sent whole with every edit
   Params seen;           // those of the last snapshot
+  Params scene;          // what the run was opened with
   double speed = 1;      // times real time, unless
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
-  std::optional<std::int64_t> typed_seed;     // while it is being typed
   std::optional<int> selected;                // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
-  bool panels = true;
+  bool panels = true;                         // beside the arena
+  bool drawer = false;                        // the panel over the arena, in a window that is
+  bool narrow = false;                        // too narrow for panels beside it
   bool help = false;
-  std::string problem;  // why the last value was not taken; empty when it was
+  std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
+  std::string problem;                   // why the last value was not taken; empty when it was
+  std::string problem_at;                // the parameter or field that it is about
 
   std::string message;                // to be shown over the arena for a while
   std::optional<StepRange> save_csv;  // steps to be saved as CSV
@@ -45,20 +49,38 @@ struct Controls {
   std::vector<Action> actions;    // as if their keys had been pressed
 
   /// Makes `candidate` the parameters and asks the runner to take them, if it is sound; otherwise
-  /// says why in `problem`.
-  void propose(const Params& candidate);
+  /// says why in `problem`. `continues`: undo takes it back together with the edit before.
+  void propose(const Params& candidate, bool continues = false);
 
-  /// Takes over what the schedule has changed since the last snapshot.
-  void follow(const Params& in_force, const Schedule& schedule);
+  /// The same with one parameter changed.
+  void propose(const Parameter& parameter, double value, bool continues = false);
+
+  /// Says why what was typed into a field was not taken.
+  void refuse(std::string_view field, std::string reason);
+
+  /// Takes over the parameters that have changed since the last snapshot: by the schedule, by undo,
+  /// by going back.
+  void follow(const LiveState& state);
+
+  /// Asks for that step of the run, kept within the steps that can be gone to.
+  void go_to(std::int64_t step, const Timeline& timeline);
+
+  /// The step that is shown, or that was asked for and is still to come.
+  std::int64_t shown_step(const LiveState& state) const;
 
   /// Shows another field in colors, with the usual color map and range of its kind.
   void color_by(const LitterField& field);
 
-  /// The slider range of `speed`.
+  /// The speeds that can be asked for, and those that a slider and the keys reach.
+  static constexpr double kLeastSpeed = 0.001, kGreatestSpeed = 1e6;
   static constexpr double kSlowest = 1.0 / 16, kFastest = 64;
 
-  /// Asks for this speed, kept within kSlowest ... kFastest.
+  /// Asks for this speed, which must be within kLeastSpeed ... kGreatestSpeed.
   void set_speed(double factor);
+
+  /// Twice the speed, or half of it, as far as the slider goes.
+  void faster();
+  void slower();
   void set_as_fast(bool on);
 };
 

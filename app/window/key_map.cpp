@@ -23,8 +23,38 @@ constexpr std::array kKeys{
            true,
            "Right, N",
            "pause and make one step"},
+    KeyRow{Action::step_back_many,
+           {GLFW_KEY_LEFT},
+           true,
+           true,
+           "Shift + Left",
+           "pause and go 100 steps back"},
+    KeyRow{Action::step_back, {GLFW_KEY_LEFT}, false, true, "Left", "pause and go one step back"},
+    KeyRow{Action::to_start,
+           {GLFW_KEY_LEFT},
+           false,
+           false,
+           "Ctrl + Left",
+           "pause and go to the start of the run",
+           true},
+    KeyRow{Action::to_end,
+           {GLFW_KEY_RIGHT},
+           false,
+           false,
+           "Ctrl + Right",
+           "pause and go to the last step made",
+           true},
     KeyRow{Action::restart, {GLFW_KEY_R}, false, false, "R", "start again with the same seed"},
     KeyRow{Action::new_seed, {GLFW_KEY_R}, true, false, "Shift + R", "start again with a new seed"},
+    KeyRow{Action::undo,
+           {GLFW_KEY_Z},
+           false,
+           true,
+           "Ctrl + Z",
+           "undo the last change of a parameter",
+           true},
+    KeyRow{Action::redo, {GLFW_KEY_Z}, true, true, "Ctrl + Shift + Z", "redo it", true},
+    KeyRow{Action::redo, {GLFW_KEY_Y}, false, true, "Ctrl + Y", "redo it", true},
     KeyRow{Action::faster, {'+', GLFW_KEY_EQUAL, GLFW_KEY_KP_ADD}, false, true, "+", "faster"},
     KeyRow{Action::slower, {'-', GLFW_KEY_KP_SUBTRACT}, false, true, "-", "slower"},
     KeyRow{Action::real_time, {GLFW_KEY_1, GLFW_KEY_KP_1}, false, false, "1", "real time"},
@@ -45,12 +75,19 @@ constexpr std::array kKeys{
            "save a picture (PNG, with all parameters in it)"},
     KeyRow{Action::toggle_panels, {GLFW_KEY_H}, false, false, "H", "hide or show the panels"},
     KeyRow{Action::toggle_help, {GLFW_KEY_F1}, false, false, "F1", "open or close this help"},
-    KeyRow{Action::quit,
-           {GLFW_KEY_ESCAPE, GLFW_KEY_Q},
+    KeyRow{Action::work_panels,
+           {GLFW_KEY_F6},
            false,
            false,
-           "Esc, Q",
-           "close this help, or quit"},
+           "F6",
+           "work the next panel by keys: arrows, Space, Enter"},
+    KeyRow{Action::close,
+           {GLFW_KEY_ESCAPE},
+           false,
+           true,
+           "Esc",
+           "close what is open, then leave the pup, then select none"},
+    KeyRow{Action::quit, {GLFW_KEY_Q}, false, false, "Q", "quit"},
 };
 
 constexpr std::array kMouse{
@@ -76,10 +113,12 @@ std::span<const MouseRow> mouse_table() {
 }
 
 std::optional<Action> action_for(int key, int mods, bool repeated) {
-  if (key == 0 || (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) return {};
+  if (key == 0 || (mods & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) return {};
+  const bool ctrl = (mods & GLFW_MOD_CONTROL) != 0;
   const auto row_with = [&](bool shift) {
     return std::find_if(kKeys.begin(), kKeys.end(), [&](const KeyRow& row) {
-      return row.shift == shift && std::count(row.keys.begin(), row.keys.end(), key) > 0;
+      return row.ctrl == ctrl && row.shift == shift &&
+             std::count(row.keys.begin(), row.keys.end(), key) > 0;
     });
   };
   auto row = kKeys.end();

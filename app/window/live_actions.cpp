@@ -10,6 +10,7 @@
 #include "app/io/failure.h"
 #include "app/window/history_csv.h"
 #include "app/window/live_window.h"
+#include "app/window/panel_keys.h"
 #include "app/window/panels/transport_panel.h"
 
 namespace pupflow::window {
@@ -55,12 +56,14 @@ bool LiveWindow::text_has_keyboard() {
 }
 
 void LiveWindow::key(int code, int mods, bool repeated) {
-  if (text_has_keyboard()) return;
+  if (text_has_keyboard() || panels_take(code)) return;
   if (const auto action = action_for(code, mods, repeated)) controls_.actions.push_back(*action);
 }
 
 void LiveWindow::move_camera(const Area& arena, double now) {
   const ImGuiIO& io = ImGui::GetIO();
+  const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+  if (clicked && keys_work_panels()) leave_panels();
   if (io.WantCaptureMouse) return;
   const auto share = [&](float pixels) { return static_cast<double>(pixels / arena.size.y); };
   const double dx = share(io.MouseDelta.x), dy = share(io.MouseDelta.y);
@@ -98,6 +101,10 @@ void LiveWindow::perform(Action action, double now) {
     arena_.look_from(view::Camera::parse(spec));
     schedule_.view_moved(now);
   };
+  const LiveState& shown = runner_.snapshot();
+  const auto go_by = [&](std::int64_t steps) {
+    controls_.go_to(controls_.shown_step(shown) + steps, shown.timeline);
+  };
   schedule_.panels_changed();  // the next frame shows the result
   switch (action) {
     case Action::play_pause:
@@ -109,6 +116,24 @@ void LiveWindow::perform(Action action, double now) {
     case Action::step_many:
       controls_.commands.push_back(Advance{kManySteps});
       break;
+    case Action::step_back:
+      go_by(-1);
+      break;
+    case Action::step_back_many:
+      go_by(-kManySteps);
+      break;
+    case Action::to_start:
+      controls_.go_to(shown.timeline.first, shown.timeline);
+      break;
+    case Action::to_end:
+      controls_.go_to(shown.timeline.last, shown.timeline);
+      break;
+    case Action::undo:
+      controls_.commands.push_back(Undo{});
+      break;
+    case Action::redo:
+      controls_.commands.push_back(Redo{});
+      break;
     case Action::restart:
       controls_.commands.push_back(Restart{});
       break;
@@ -119,10 +144,10 @@ void LiveWindow::perform(Action action, double now) {
       break;
     }
     case Action::faster:
-      controls_.set_speed(2 * controls_.speed);
+      controls_.faster();
       break;
     case Action::slower:
-      controls_.set_speed(controls_.as_fast ? controls_.speed : controls_.speed / 2);
+      controls_.slower();
       break;
     case Action::real_time:
       controls_.set_speed(1);
@@ -143,18 +168,37 @@ void LiveWindow::perform(Action action, double now) {
       take_picture();
       break;
     case Action::toggle_panels:
-      controls_.panels = !controls_.panels;
+      (controls_.narrow ? controls_.drawer : controls_.panels) ^= true;
       break;
     case Action::toggle_help:
       controls_.help = !controls_.help;
       break;
-    case Action::quit:
-      if (controls_.help) {
-        controls_.help = false;
-      } else {
-        glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
-      }
+    case Action::work_panels:
+      work_next_panel(Panels::names());
+      show("Arrows move, Space presses, Enter types. F6: the next panel. Esc: back to the arena.");
       break;
+    case Action::close:
+      close_front();
+      break;
+    case Action::quit:
+      glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+      break;
+  }
+}
+
+/// One thing at a time, that in front first. Text fields deal with Esc themselves.
+void LiveWindow::close_front() {
+  if (close_front_popup()) return;
+  if (controls_.help) {
+    controls_.help = false;
+  } else if (keys_work_panels()) {
+    leave_panels();
+  } else if (controls_.narrow && controls_.drawer) {
+    controls_.drawer = false;
+  } else if (controls_.camera_mode != CameraMode::free) {
+    controls_.camera_mode = CameraMode::free;
+  } else {
+    controls_.selected.reset();
   }
 }
 

@@ -45,7 +45,7 @@ LiveWindow::LiveWindow(const LiveJob& job)
                .notify = [] { glfwPostEmptyEvent(); }}),
       schedule_(drawn_by_processor()) {
   picture_path(job.screenshot, 0);  // a bad pattern fails now, not with the first screenshot
-  controls_.params = controls_.seen = job.params;
+  controls_.params = controls_.seen = controls_.scene = job.params;
   controls_.look = job.look;
   runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();
@@ -101,7 +101,7 @@ void LiveWindow::exchange_snapshots(double now) {
     events_.snapshot(snapshot);
     const LitterView litter = snapshot.view();
     if (!snapshot.rejected.empty()) controls_.params = litter.params;
-    controls_.follow(litter.params, job_.params.schedule);
+    controls_.follow(snapshot);
   }
   if (!schedule_.wants_snapshot(now)) return;
   runner_.request();
@@ -112,16 +112,18 @@ void LiveWindow::frame(double now) {
   schedule_.begin_frame(now);
   gui_->begin_frame();
   const ImGuiIO& io = ImGui::GetIO();
-  const Layout layout =
-      make_layout(io.DisplaySize.x, io.DisplaySize.y, gui_->scale(), controls_.panels);
+  const Layout layout = lay_out();
   const LiveState& snapshot = runner_.snapshot();
   const double rate = snapshot.playing ? schedule_.frames_per_second() : 0;
-  const PanelInput input{snapshot, controls_, gui_->fonts(), events_, rate};
-  observe(panels_.draw(layout, input));
+  const PanelInput input{snapshot, controls_, gui_->fonts(), events_, tips_, rate};
+  tips_.begin_frame(layout, now);
+  panels_.draw(layout, input);
   fit_scale();
-  draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
+  if (layout.bar.size.x > 0)
+    draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
+  if (const auto due = tips_.due()) schedule_.wake_at(*due);
   events_.text(text_has_keyboard());
   move_camera(layout.arena, now);
   gui_->end_frame();
@@ -131,10 +133,17 @@ void LiveWindow::frame(double now) {
   schedule_.end_frame();
 }
 
-/// The engine works out the observables only while they are shown.
-void LiveWindow::observe(bool observed) {
-  if (observed != observed_) controls_.commands.push_back(Observe{observed});
-  observed_ = observed;
+Layout LiveWindow::lay_out() {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  LayoutWish wish{.width = size.x, .height = size.y, .scale = gui_->scale()};
+  wish.menu = ImGui::GetFrameHeight();
+  wish.transport = panels_.transport_height();
+  if (wish.transport == 0) wish.transport = LayoutWish{}.transport * wish.scale;
+  wish.panels = controls_.panels;
+  wish.drawer = controls_.drawer;
+  const Layout layout = make_layout(wish);
+  controls_.narrow = layout.narrow;
+  return layout;
 }
 
 /// After the panels, which may have chosen another field.

@@ -35,7 +35,7 @@ class LiveWindow {
   void follow_visibility();
   void exchange_snapshots(double now);
   void frame(double now);
-  void observe(bool observed);
+  Layout lay_out();
   void fit_scale();
   void paint(const Layout& layout);
 
@@ -47,6 +47,7 @@ class LiveWindow {
   void move_camera(const Area& arena, double now);
   void carry_out(double now);
   void perform(Action action, double now);
+  void close_front();
   void take_picture();
   void save_csv(StepRange steps);
   void show(const std::string& message);
@@ -58,12 +59,12 @@ class LiveWindow {
   Controls controls_;
   Panels panels_;
   TestEvents events_;
+  Tips tips_;
   Runner runner_;
   RedrawSchedule schedule_;
   std::string message_;
   view::ColorScale scale_;  // the look's, fitted to the snapshot that is shown
   double scale_time_ = 0;   // model seconds of the snapshot that it was fitted to
-  bool observed_ = false;   // the panels showed the observables in the last frame
 };
 
 }  // namespace pupflow::window

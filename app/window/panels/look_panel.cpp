@@ -32,7 +32,7 @@ void draw_field_choice(const PanelInput& in) {
         // By name: the field of the command line is in the executable's own table.
         const bool chosen = field.name == present.name;
         if (choice(field.name, field.label, chosen) && !chosen) in.controls.color_by(field);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(field.doc).c_str());
+        in.tips.show(field.doc);
       }
     }
   });

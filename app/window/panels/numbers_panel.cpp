@@ -23,12 +23,11 @@ std::string text_of(std::string_view words) {
 
 /// What the quantity is; a temperature in degrees, too.
 void tip(const PanelInput& in, const ObservableField& row) {
-  if (!ImGui::IsItemHovered()) return;
   std::string text = text_of(row.doc) + '\n' + text_of(row.equation);
   if (row.observable == Observable::mean_tb && in.state.observables) {
     text += "\nnow " + celsius_text(in.state.observables->mean_tb) + "; 0.6 stands for 37 \u00b0C";
   }
-  ImGui::SetTooltip("%s", text.c_str());
+  in.tips.show(text);
 }
 
 void draw_numbers(const PanelInput& in) {

@@ -11,37 +11,6 @@ constexpr ImGuiWindowFlags kFloating =
 
 }  // namespace
 
-void draw_help(const Area& arena, const PanelInput& in) {
-  in.events.help(in.controls.help);
-  if (!in.controls.help) return;
-  ImGui::SetNextWindowPos(arena.middle(), ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::Begin("help", nullptr, kFloating);
-  const auto table = [](const char* id, const auto& rows) {
-    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit)) return;
-    for (const auto& row : rows) {
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(row.text);
-      ImGui::TableNextColumn();
-      ImGui::TextDisabled("%s", row.doc);
-    }
-    ImGui::EndTable();
-  };
-  const auto heading = [&](const char* text) {
-    ImGui::PushFont(in.fonts.title);
-    ImGui::TextUnformatted(text);
-    ImGui::PopFont();
-  };
-  heading("Keys");
-  table("keys", key_table());
-  ImGui::Spacing();
-  heading("Mouse");
-  table("mouse", mouse_table());
-  ImGui::Spacing();
-  if (ImGui::Button("Close")) in.controls.help = false;
-  in.events.widget("close_help");
-  ImGui::End();
-}
-
 void draw_bad_status(const Area& arena, const PanelInput& in) {
   if (in.state.status.ok()) return;
   const float em = ImGui::GetFontSize();

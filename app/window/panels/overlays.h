@@ -1,4 +1,4 @@
-// What is drawn over the arena: help, banner of a bad status, messages.
+// What is drawn over the arena: banner of a bad status, messages.
 #pragma once
 
 #include <string>
@@ -7,9 +7,6 @@
 #include "app/window/panels/panel.h"
 
 namespace pupflow::window {
-
-/// The keys and what the mouse does, from their tables.
-void draw_help(const Area& arena, const PanelInput& in);
 
 /// Says where the numbers went wrong and offers to start again.
 void draw_bad_status(const Area& arena, const PanelInput& in);

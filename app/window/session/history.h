@@ -33,7 +33,7 @@ class History {
     double time = 0;                   // model seconds after the last of them
     Observables mean;                  // over the steps at which an observable is known
     std::array<float, kObservableCount> low{}, high{};  // of each observable
-    float coldest = 0, warmest = 0;                     // T_b of any pup
+    double coldest = 0, warmest = 0;                    // T_b of any pup
     double ta = 0, tp = 0;                              // T_a and T_p, means
   };
 
@@ -57,9 +57,10 @@ class History {
   std::int64_t first() const { return first_; }  // step; meaningless when empty
   std::int64_t last() const { return last_; }
 
-  /// The finest samples that cover these steps in at most kSamples of a level, oldest first, and the
+  /// The finest samples that cover these steps, `most` of a level or fewer, oldest first, and the
   /// neighbours just outside. Where a level begins too late, a coarser one stands in.
-  std::vector<Entry> between(std::int64_t first, std::int64_t last) const;
+  std::vector<Entry> between(std::int64_t first, std::int64_t last,
+                             std::int64_t most = kSamples) const;
 
   /// Whether T_b of each pup is kept for litters of that size.
   static bool keeps_tb(int pups) { return tb_pages(pups) >= 2; }

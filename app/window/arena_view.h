@@ -35,8 +35,8 @@ class ArenaView {
   bool draw(const LiveState& snapshot, bool fresh, const view::ColorScale& scale, int width,
             int height, int samples);
 
-  /// Copies what was drawn to (x, y) (lower left) of the window.
-  void show(int x, int y) const { store_.copy_to(0, x, y); }
+  /// What was drawn.
+  const gl::Target& store() const { return store_; }
 
   /// Writes the picture that `pupflow render` would make from here, in its usual size, with the
   /// color bar and all that is needed to make it again. Overwrites nothing. Throws Failure.

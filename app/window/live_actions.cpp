@@ -32,7 +32,10 @@ void LiveWindow::install_callbacks() {
   glfwSetCursorPosCallback(handle, event);
   glfwSetCursorEnterCallback(handle, event);
   glfwSetWindowFocusCallback(handle, event);
-  glfwSetWindowRefreshCallback(handle, event);
+  glfwSetWindowRefreshCallback(handle, [](GLFWwindow* w) {
+    window_of(w).painter_.forget();
+    window_of(w).schedule_.event();
+  });
   glfwSetFramebufferSizeCallback(handle, event);
   glfwSetWindowContentScaleCallback(handle, event);
 }

@@ -1,6 +1,5 @@
 #include "app/window/live_window.h"
 
-#include <GL/glew.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -23,18 +22,12 @@ bool drawn_by_processor() {
          name.find("SwiftShader") != std::string::npos;
 }
 
-void clear(const view::Rgb& color) {
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glClearColor(static_cast<float>(color.r) / 255, static_cast<float>(color.g) / 255,
-               static_cast<float>(color.b) / 255, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-}
-
 }  // namespace
 
 LiveWindow::LiveWindow(const LiveJob& job)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
+      painter_(window_, drawn_by_processor()),
       arena_(job.look),
       events_(job.test_events),
       runner_({.params = job.params,
@@ -154,18 +147,16 @@ void LiveWindow::paint(const Layout& layout) {
   };
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_.handle(), &width, &height);
-  const int x = pixels(layout.arena.corner.x), top = pixels(layout.arena.corner.y);
-  const int arena_width = std::min(pixels(layout.arena.size.x), width - x);
-  const int arena_height = std::min(pixels(layout.arena.size.y), height - top);
+  PixelBox place{pixels(layout.arena.corner.x), pixels(layout.arena.corner.y),
+                 pixels(layout.arena.corner.x + layout.arena.size.x),
+                 pixels(layout.arena.corner.y + layout.arena.size.y)};
+  place.right = std::max(std::min(place.right, width), place.left + 1);
+  place.bottom = std::max(std::min(place.bottom, height), place.top + 1);
   const int samples = schedule_.samples(controls_.look.samples());
-  arena_.draw(runner_.snapshot(), schedule_.fresh(), scale_, std::max(arena_width, 1),
-              std::max(arena_height, 1), samples);
-  clear(gl::Palette{}.background);
-  arena_.show(x, height - top - arena_height);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, width, height);
-  gui_->draw();
-  glfwSwapBuffers(window_.handle());
+  const bool drawn = arena_.draw(runner_.snapshot(), schedule_.fresh(), scale_, place.width(),
+                                 place.height(), samples);
+  const Painter::Image arena{&arena_.store(), place};
+  painter_.paint(*gui_, {&arena, 1}, drawn, gl::Palette{}.background);
   events_.camera(arena_.camera());
   events_.frame(samples);
 }

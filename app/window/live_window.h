@@ -9,6 +9,7 @@
 #include "app/window/controls.h"
 #include "app/window/gui.h"
 #include "app/window/live_job.h"
+#include "app/window/painter.h"
 #include "app/window/panels/panels.h"
 #include "app/window/session/redraw_schedule.h"
 #include "app/window/session/runner.h"
@@ -52,6 +53,7 @@ class LiveWindow {
 
   LiveJob job_;
   context::GlfwWindow window_;  // outlives everything that lives in its context
+  Painter painter_;
   ArenaView arena_;
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
   Controls controls_;

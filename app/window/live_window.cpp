@@ -127,6 +127,7 @@ void LiveWindow::frame(double now) {
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
   events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
+  events_.area("arena", layout.arena);
   point_at_pups(layout.arena);
   events_.problem(controls_.problem_at, controls_.problem);
   move_camera(layout.arena, now);

@@ -71,7 +71,7 @@ TEST_F(LivePups, AClickSelectsAPupAndAClickBesideItNone) {
   const int pup = one_on_top(simulation);
   click_at(on_screen(simulation.view().positions.mean(pup), simulation.params()));
   EXPECT_EQ(await("selected "), std::to_string(pup));
-  click_at(on_screen({0, 2.3, 0}, simulation.params()));
+  click_at(on_screen({-1.9, -1.9, 0}, simulation.params()));
   EXPECT_EQ(await("selected "), "none");
 }
 
@@ -119,7 +119,7 @@ TEST_F(LivePups, ADoubleClickFollowsSoThatThePupIsInTheMiddle) {
   const int pup = one_on_top(simulation);
   const auto place = on_screen(simulation.view().positions.mean(pup), simulation.params());
   screen_.hand({"mousemove", std::to_string(place.first), std::to_string(place.second), "sleep",
-                "0.1", "click", "--repeat", "2", "--delay", "60", "1"});
+                "0.1", "click", "--repeat", "2", "--delay", "120", "1"});
   EXPECT_EQ(await("selected "), std::to_string(pup));
   EXPECT_EQ(await("view "), "follow");
   screen_.press("l");

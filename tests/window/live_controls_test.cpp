@@ -66,8 +66,8 @@ TEST_F(LiveControls, WhatIsNotTakenSaysWhyAndNothingMoves) {
     EXPECT_THAT(await("problem alpha "), HasSubstr(text));
   }
   for (const auto& [name, box] : before) {
-    EXPECT_EQ(widgets().at(name).x, box.x) << name;
-    EXPECT_EQ(widgets().at(name).y, box.y) << name;
+    EXPECT_EQ(widgets().at(name).box.x, box.box.x) << name;
+    EXPECT_EQ(widgets().at(name).box.y, box.box.y) << name;
   }
   type_into("alpha-field", "0.5");
   EXPECT_EQ(await("value alpha "), "0.5");

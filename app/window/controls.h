@@ -34,11 +34,11 @@ struct Controls {
   pictures::Look look;
   std::optional<int> selected;                // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
-  Watch inspected;  // what the inspector shows; nothing while it is closed
-  Watch watched;    // what the runner was asked to record
-  bool panels = true;                         // beside the arena
-  bool drawer = false;                        // the panel over the arena, in a window that is
-  bool narrow = false;                        // too narrow for panels beside it
+  Watch inspected;      // what the inspector shows; nothing while it is closed
+  Watch watched;        // what the runner was asked to record
+  bool panels = true;   // beside the arena
+  bool drawer = false;  // the panel over the arena, in a window that is
+  bool narrow = false;  // too narrow for panels beside it
   bool help = false;
   bool pause_minimised = false;          // a minimised window takes no steps
   std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown

@@ -89,8 +89,7 @@ class Reader {
     if (node == nullptr) return;
     const std::optional<double> number = node->value<double>();
     if (!number || !(*number >= kSmallestScale) || *number > kLargestScale) {
-      wrong(key, *node,
-            io::number_text(kSmallestScale) + " to " + io::number_text(kLargestScale));
+      wrong(key, *node, io::number_text(kSmallestScale) + " to " + io::number_text(kLargestScale));
     }
     value = *number;
   }
@@ -124,7 +123,8 @@ class Reader {
     }
     for (const toml::node& item : *items) {
       const auto word = item.value_exact<std::string>();
-      if (!word || word->empty() || word->size() > kLongestName) wrong(key, item, "a list of names");
+      if (!word || word->empty() || word->size() > kLongestName)
+        wrong(key, item, "a list of names");
       values.push_back(*word);
     }
   }

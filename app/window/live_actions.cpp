@@ -40,6 +40,7 @@ void LiveWindow::install_callbacks() {
   });
   glfwSetFramebufferSizeCallback(handle, event);
   glfwSetWindowContentScaleCallback(handle, event);
+  install_desk_callbacks();
 }
 
 void LiveWindow::install_key_callback() {
@@ -59,6 +60,11 @@ bool LiveWindow::text_has_keyboard() {
 }
 
 void LiveWindow::key(int code, int mods, bool repeated) {
+  if (dialogs_.shown()) {
+    if (code == GLFW_KEY_ESCAPE) dialogs_.cancel();
+    if (code == GLFW_KEY_ENTER || code == GLFW_KEY_KP_ENTER) dialogs_.accept();
+    return;
+  }
   if (text_has_keyboard() || panels_take(code)) return;
   if (const auto action = action_for(code, mods, repeated)) controls_.actions.push_back(*action);
 }
@@ -198,7 +204,10 @@ void LiveWindow::perform(Action action, double now) {
       close_front();
       break;
     case Action::quit:
-      glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+      quit();
+      break;
+    default:
+      desk_action(action);
       break;
   }
 }

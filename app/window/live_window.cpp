@@ -24,7 +24,7 @@ bool drawn_by_processor() {
 
 }  // namespace
 
-LiveWindow::LiveWindow(const LiveJob& job)
+LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
       arena_(job.look),
@@ -35,13 +35,21 @@ LiveWindow::LiveWindow(const LiveJob& job)
                .threads = job.threads,
                .hashed = true,  // a picture carries it
                .notify = [] { glfwPostEmptyEvent(); }}),
-      schedule_(drawn_by_processor()) {
+      schedule_(drawn_by_processor()),
+      desk_({job.opened, job.params, job.from ? job.from->edited : std::nullopt}),
+      settings_(settings),
+      written_(settings) {
   picture_path(job.screenshot, 0);  // a bad pattern fails now, not with the first screenshot
   controls_.params = controls_.seen = controls_.scene = job.params;
   controls_.look = job.look;
+  controls_.panels = settings.panels;
+  controls_.pause_minimised = settings.pause_minimised;
+  controls_.recent = settings.recent;
+  seen_ = present();
+  seen_field_ = job.look.scale.field;
   runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();
-  gui_ = std::make_unique<Gui>(window_, job.ui_scale, Theme::light);
+  gui_ = std::make_unique<Gui>(window_, job.ui_scale, settings.theme);
   install_key_callback();
   glfwSwapInterval(1);
   if (job.look.verbose) {
@@ -59,6 +67,7 @@ void LiveWindow::run() {
     exchange_snapshots(now);
     if (schedule_.frame_due(now)) frame(now);
   }
+  keep_settings();
   events_.closed();
 }
 
@@ -122,6 +131,7 @@ void LiveWindow::frame(double now) {
   point_at_pups(layout.arena);
   events_.problem(controls_.problem_at, controls_.problem);
   move_camera(layout.arena, now);
+  desk_frame(input);
   lead_camera(now);
   controls_.watch();
   const DrawnArena drawn = draw_arena(layout);

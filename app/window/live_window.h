@@ -1,6 +1,7 @@
 // The window's loop: events in, commands to the runner, frames out.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -12,10 +13,13 @@
 #include "app/window/gui.h"
 #include "app/window/live_job.h"
 #include "app/window/painter.h"
+#include "app/window/panels/dialogs.h"
 #include "app/window/panels/panels.h"
+#include "app/window/scene_desk.h"
 #include "app/window/selection.h"
 #include "app/window/session/redraw_schedule.h"
 #include "app/window/session/runner.h"
+#include "app/window/settings.h"
 #include "app/window/test_events.h"
 
 namespace pupflow::window {
@@ -25,7 +29,7 @@ namespace pupflow::window {
 class LiveWindow {
  public:
   /// Opens the window. Throws Failure and InvalidParams.
-  explicit LiveWindow(const LiveJob& job);
+  LiveWindow(const LiveJob& job, const Settings& settings);
   LiveWindow(const LiveWindow&) = delete;
   LiveWindow& operator=(const LiveWindow&) = delete;
 
@@ -63,6 +67,26 @@ class LiveWindow {
   void save_csv(StepRange steps);
   void show(const std::string& message);
 
+  // live_desk.cpp: scenes, settings, closing.
+  void install_desk_callbacks();
+  bool changed() const;
+  void desk_frame(const PanelInput& input);
+  void desk_action(Action action);
+  void ask_before(const std::string& what, std::function<void()> next);
+  void answer(const Dialogs::Answer& answer);
+  void ask_for_name();
+  bool save_as(const std::string& path);
+  void open(const std::string& source);
+  void take(const Opened& opened);
+  void open_dropped(const std::string& path);
+  void quit();
+  void copy_command();
+  void resize_text(int direction);
+  void switch_full_screen();
+  Settings present() const;
+  void keep_settings();
+  void show_title();
+
   // live_pointer.cpp: what the mouse and keys do with single pups.
   struct Pulled {  // by the mouse
     int pup;
@@ -89,6 +113,15 @@ class LiveWindow {
   Tips tips_;
   Runner runner_;
   RedrawSchedule schedule_;
+  SceneDesk desk_;
+  Dialogs dialogs_;
+  std::function<void()> next_;   // once the changes are saved or discarded; empty: nothing
+  Settings settings_, written_;  // to keep, and as the file has them
+  Settings seen_;                // the window as it was when they were last looked at
+  const LitterField* seen_field_ = nullptr;
+  bool settings_fail_ = false;  // it was said
+  std::string title_;
+  Area windowed_;  // where the window was before it was full screen
   Painter painter_;
   CameraGuide guide_;
   bool pressed_arena_ = false;  // the left button went down over it, for a click or to turn it

@@ -30,12 +30,13 @@ namespace pupflow::window {
 ///   bad MESSAGE           the status, when it is bad
 ///   warning MESSAGE       a warning of the engine, when it is new
 ///   text on|off           whether a text field has the keyboard
+///   title TEXT            the window's title, when it changes
+///   opened SOURCE, saved PATH, copied COMMAND, refused REASON
 ///   help shown|hidden, camera AZIMUTH ELEVATION DISTANCE, screenshot PATH
 ///   selected PUP|none, view free|follow|eye
 ///   field NAME TEXT       a field of the selected pup as the inspector shows it, when it changes
 ///   samples N             the arena has N x N samples a pixel, when N changes
 ///   pointed TIME|nowhere  where on the plots' common time axis the mouse is
-///   saved PATH            a file was written
 ///   tip X Y W H, tip none  where the tooltip is
 ///   visible yes|no        the window was minimised or shown again
 ///   frames N              the window is closed after drawing N frames

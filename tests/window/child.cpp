@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support/scratch.h"
+
 extern char** environ;
 
 namespace pupflow::testing {
@@ -26,7 +28,11 @@ std::string name_of(const std::string& setting) {
   return setting.substr(0, setting.find('='));
 }
 
-std::vector<std::string> merged(const Environment& changes) {
+std::vector<std::string> merged(Environment changes) {
+  const bool chosen = std::any_of(changes.begin(), changes.end(), [](const std::string& change) {
+    return name_of(change) == "XDG_CONFIG_HOME";
+  });
+  if (!chosen) changes.push_back("XDG_CONFIG_HOME=" + config_folder());
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const bool changed =
@@ -48,6 +54,11 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 }
 
 }  // namespace
+
+std::string config_folder() {
+  static const test::Scratch scratch;
+  return scratch.folder().string();
+}
 
 Child::Child(const ChildOptions& options) {
   std::array<int, 2> pipe{};

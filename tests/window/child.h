@@ -12,6 +12,10 @@ namespace pupflow::testing {
 
 using Environment = std::vector<std::string>;  // NAME=value
 
+/// Where children keep their settings instead of the user's XDG_CONFIG_HOME: what one of them keeps,
+/// the next one of this process finds.
+std::string config_folder();
+
 struct ChildOptions {
   std::vector<std::string> arguments;  // the program first, found on PATH
   Environment environment;             // added to this process' own; "NAME" alone takes it away

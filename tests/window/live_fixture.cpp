@@ -17,14 +17,15 @@ std::string headless_hash(const Params& params, std::int64_t steps) {
   return text.str();
 }
 
-void Live::open(const std::vector<std::string>& options) {
+void Live::open(const std::vector<std::string>& options, const Environment& variables) {
   std::vector<std::string> arguments{PUPFLOW_PROGRAM, "live", "--test-events"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   window_.reset();
   widgets_.clear();
-  window_ = std::make_unique<Child>(ChildOptions{.arguments = arguments,
-                                                 .environment = screen_.environment(),
-                                                 .folder = scratch_.folder().string()});
+  Environment environment = screen_.environment();
+  environment.insert(environment.end(), variables.begin(), variables.end());
+  window_ = std::make_unique<Child>(ChildOptions{
+      .arguments = arguments, .environment = environment, .folder = scratch_.folder().string()});
   await("camera ");  // printed with the first frame, after the widgets
 }
 

@@ -39,7 +39,7 @@ std::string headless_hash(const Params& params, std::int64_t steps);
 class Live : public ::testing::Test {
  protected:
   /// Opens the window and waits until it stands. A window that was open is gone.
-  void open(const std::vector<std::string>& options = {});
+  void open(const std::vector<std::string>& options = {}, const Environment& variables = {});
 
   /// The rest of the next line that starts with `start`. Fails the test when none comes.
   std::string await(const std::string& start);

@@ -10,7 +10,6 @@
 #include "app/gl/load.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
-#include "app/window/panels/legend.h"
 #include "app/window/panels/overlays.h"
 
 namespace pupflow::window {
@@ -27,6 +26,7 @@ bool drawn_by_processor() {
 LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
+      painter_(window_, drawn_by_processor()),
       arena_(job.look),
       events_(job.test_events),
       runner_({.params = job.params,
@@ -121,13 +121,13 @@ void LiveWindow::frame(double now) {
   tips_.begin_frame(layout, now);
   panels_.draw(layout, input);
   fit_scale();
-  if (layout.bar.size.x > 0)
-    draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
+  if (layout.bar.size.x > 0) legend_.draw(layout.bar, scale_, input);
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
   events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
+  events_.area("arena", layout.arena);
   point_at_pups(layout.arena);
   events_.problem(controls_.problem_at, controls_.problem);
   move_camera(layout.arena, now);
@@ -192,9 +192,7 @@ LiveWindow::DrawnArena LiveWindow::draw_arena(const Layout& layout) {
 
 void LiveWindow::paint(const DrawnArena& drawn) {
   const Painter::Image arena{&arena_.store(), drawn.place};
-  if (painter_.paint(*gui_, {&arena, 1}, drawn.anew, gl::Palette{}.background)) {
-    glfwSwapBuffers(window_.handle());
-  }
+  painter_.paint(*gui_, {&arena, 1}, drawn.anew, gl::Palette{}.background);
   events_.camera(arena_.camera());
   events_.frame(drawn.samples);
 }

@@ -14,6 +14,7 @@
 #include "app/window/live_job.h"
 #include "app/window/painter.h"
 #include "app/window/panels/dialogs.h"
+#include "app/window/panels/legend_panel.h"
 #include "app/window/panels/panels.h"
 #include "app/window/scene_desk.h"
 #include "app/window/selection.h"
@@ -104,11 +105,13 @@ class LiveWindow {
 
   LiveJob job_;
   context::GlfwWindow window_;  // outlives everything that lives in its context
+  Painter painter_;
   ArenaView arena_;
   ArenaMarks marks_;
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
   Controls controls_;
   Panels panels_;
+  LegendPanel legend_;
   TestEvents events_;
   Tips tips_;
   Runner runner_;
@@ -122,7 +125,6 @@ class LiveWindow {
   bool settings_fail_ = false;  // it was said
   std::string title_;
   Area windowed_;  // where the window was before it was full screen
-  Painter painter_;
   CameraGuide guide_;
   bool pressed_arena_ = false;  // the left button went down over it, for a click or to turn it
   std::optional<Pulled> pulled_;

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "app/window/panels/help.h"
-#include "app/window/panels/look_panel.h"
 #include "app/window/panels/menu.h"
 #include "app/window/panels/overlays.h"
 
@@ -59,6 +58,7 @@ std::span<const char* const> Panels::names() {
 bool Panels::draw(const Layout& layout, const PanelInput& in) {
   bool observed = false;
   draw_menu(in);
+  in.controls.inspected = {};
   if (layout.left.size.x > 0) {
     begin_panel(kLeft, layout.left);
     constexpr int kProblemLines = 2;
@@ -66,8 +66,8 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
     parameters_.draw_top(in);
     parameters_.draw_groups(in);
     if (!layout.two_panels) {
+      inspector_.draw(in);
       observed = numbers_.draw(in);
-      draw_look_panel(in);
     }
     ImGui::EndChild();
     draw_problem(in);
@@ -75,8 +75,8 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
   }
   if (layout.two_panels) {
     begin_panel(kRight, layout.right);
+    inspector_.draw(in);
     observed = numbers_.draw(in);
-    draw_look_panel(in);
     ImGui::End();
   }
   begin_panel(kTransport, layout.transport);

@@ -19,6 +19,11 @@ enum class CameraMode {
   eye      // it looks along the pup's heading, from in front of its body
 };
 
+/// Steps of a run, the first and the last.
+struct StepRange {
+  std::int64_t first, last;
+};
+
 /// The window's own state beside the simulation's, and what was asked for since the last frame.
 struct Controls {
   Params params;         // the window's copy: always sound, sent whole with every edit
@@ -36,6 +41,9 @@ struct Controls {
   std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
   std::string problem;                   // why the last value was not taken; empty when it was
   std::string problem_at;                // the parameter or field that it is about
+
+  std::string message;                // to be shown over the arena for a while
+  std::optional<StepRange> save_csv;  // steps to be saved as CSV
 
   std::vector<Command> commands;  // for the runner
   std::vector<Action> actions;    // as if their keys had been pressed

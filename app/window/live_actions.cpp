@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/io/failure.h"
+#include "app/window/history_csv.h"
 #include "app/window/live_window.h"
 #include "app/window/panel_keys.h"
 #include "app/window/panels/transport_panel.h"
@@ -90,6 +91,8 @@ void LiveWindow::move_camera(const Area& arena, double now) {
 
 void LiveWindow::carry_out(double now) {
   for (const Action action : std::exchange(controls_.actions, {})) perform(action, now);
+  if (const auto steps = std::exchange(controls_.save_csv, {})) save_csv(*steps);
+  if (!controls_.message.empty()) show(std::exchange(controls_.message, {}));
   for (Command& command : std::exchange(controls_.commands, {})) runner_.send(std::move(command));
 }
 
@@ -208,6 +211,16 @@ void LiveWindow::take_picture() {
     show("saved " + path);
   } catch (const io::Failure& failure) {
     show(failure.what());  // a full disk does not end the run
+  }
+}
+
+void LiveWindow::save_csv(StepRange steps) {
+  try {
+    const std::string path = save_history_csv(job_.screenshot, runner_.snapshot(), steps);
+    events_.note("saved", path);
+    show("saved " + path);
+  } catch (const io::Failure& failure) {
+    show(failure.what());
   }
 }
 

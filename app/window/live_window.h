@@ -49,6 +49,7 @@ class LiveWindow {
   void perform(Action action, double now);
   void close_front();
   void take_picture();
+  void save_csv(StepRange steps);
   void show(const std::string& message);
 
   LiveJob job_;

@@ -90,6 +90,12 @@ void TestEvents::screenshot(const std::string& path) {
   if (on_) say("screenshot " + path);
 }
 
+void TestEvents::note(const std::string& kind, const std::string& text) {
+  if (!on_ || notes_[kind] == text) return;
+  notes_[kind] = text;
+  say(kind + ' ' + text);
+}
+
 void TestEvents::frame(int samples) {
   ++frames_;
   if (on_ && samples_ != samples) say("samples " + std::to_string(samples));

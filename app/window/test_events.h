@@ -24,6 +24,8 @@ namespace pupflow::window {
 ///   text on|off           whether a text field has the keyboard
 ///   help shown|hidden, camera AZIMUTH ELEVATION DISTANCE, screenshot PATH
 ///   samples N             the arena has N x N samples a pixel, when N changes
+///   pointed TIME|nowhere  where on the plots' common time axis the mouse is
+///   saved PATH            a file was written
 ///   frames N              the window is closed after drawing N frames
 class TestEvents {
  public:
@@ -38,6 +40,8 @@ class TestEvents {
   void text(bool has_keyboard);
   void camera(const view::Camera& camera);
   void screenshot(const std::string& path);
+  /// The line "KIND TEXT", when the text changes.
+  void note(const std::string& kind, const std::string& text);
   void frame(int samples);
   void closed() const;
 
@@ -48,6 +52,7 @@ class TestEvents {
 
   bool on_;
   std::map<std::string, std::array<int, 4>, std::less<>> widgets_;
+  std::map<std::string, std::string> notes_;
   std::optional<Params> params_;
   std::optional<bool> playing_, help_, text_;
   std::optional<view::Camera> camera_;

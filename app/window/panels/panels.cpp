@@ -7,7 +7,6 @@
 #include "app/window/panels/help.h"
 #include "app/window/panels/look_panel.h"
 #include "app/window/panels/menu.h"
-#include "app/window/panels/numbers_panel.h"
 #include "app/window/panels/overlays.h"
 
 namespace pupflow::window {
@@ -66,7 +65,7 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
     parameters_.draw_top(in);
     parameters_.draw_groups(in);
     if (!layout.two_panels) {
-      observed = draw_numbers_panel(in);
+      observed = numbers_.draw(in);
       draw_look_panel(in);
     }
     ImGui::EndChild();
@@ -75,7 +74,7 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
   }
   if (layout.two_panels) {
     begin_panel(kRight, layout.right);
-    observed = draw_numbers_panel(in);
+    observed = numbers_.draw(in);
     draw_look_panel(in);
     ImGui::End();
   }

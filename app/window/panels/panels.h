@@ -4,6 +4,7 @@
 #include <span>
 
 #include "app/window/panels/layout.h"
+#include "app/window/panels/numbers_panel.h"
 #include "app/window/panels/panel.h"
 #include "app/window/panels/parameter_panel.h"
 #include "app/window/panels/transport_panel.h"
@@ -23,6 +24,7 @@ class Panels {
 
  private:
   ParameterPanel parameters_;
+  NumbersPanel numbers_;
   TransportPanel transport_;
   float transport_height_ = 0;
 };

@@ -30,8 +30,8 @@ Sample sample_of(std::int64_t step, double time, const Observables& seen,
   }
   if (!litter.tb.empty()) {
     const auto [low, high] = std::minmax_element(litter.tb.begin(), litter.tb.end());
-    sample.coldest = static_cast<float>(*low);
-    sample.warmest = static_cast<float>(*high);
+    sample.coldest = *low;
+    sample.warmest = *high;
   }
   sample.ta = litter.params.ambient_temperature;
   sample.tp = litter.params.preferred_temperature;

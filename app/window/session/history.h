@@ -33,7 +33,7 @@ class History {
     double time = 0;                   // model seconds after the last of them
     Observables mean;                  // over the steps at which an observable is known
     std::array<float, kObservableCount> low{}, high{};  // of each observable
-    float coldest = 0, warmest = 0;                     // T_b of any pup
+    double coldest = 0, warmest = 0;                    // T_b of any pup
     double ta = 0, tp = 0;                              // T_a and T_p, means
   };
 

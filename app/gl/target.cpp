@@ -28,15 +28,21 @@ void Target::resize(int width, int height) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  if (has_depth_) {
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_.name());
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+  }
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   bind();
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.name(),
                          0);
-  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                            depth_.name());
+  if (has_depth_) {
+    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                              depth_.name());
+  }
   const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
   if (status != GL_FRAMEBUFFER_COMPLETE) {
@@ -51,11 +57,7 @@ void Target::bind() const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
 }
 
-void Target::copy_to(GLuint framebuffer, int x, int y) const {
-  copy_part_to(framebuffer, x, y, {0, 0, width_, height_});
-}
-
-void Target::copy_part_to(GLuint framebuffer, int x, int y, const Viewport& part) const {
+void Target::copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   glBlitFramebuffer(part.x, part.y, part.x + part.width, part.y + part.height, x, y, x + part.width,
@@ -73,6 +75,19 @@ io::Image Target::read() const {
     std::swap_ranges(image.pixel(0, y), image.pixel(0, y) + row, image.pixel(0, height_ - 1 - y));
   }
   return image;
+}
+
+WindowCopy::WindowCopy() : program_("", "copy.vert", "copy.frag") {}
+
+void WindowCopy::show(const Target& target) const {
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glViewport(0, 0, target.width(), target.height());
+  glUseProgram(program_.name());
+  glUniform1i(program_.uniform("image"), 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, target.texture());
+  glBindVertexArray(no_vertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 6);
 }
 
 }  // namespace pupflow::gl

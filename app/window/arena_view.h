@@ -26,7 +26,7 @@ class ArenaView {
   // The mouse: turns by radians, moves by shares of the picture's height, comes nearer by a factor.
   void orbit(double d_azimuth, double d_elevation) { camera_.orbit(d_azimuth, d_elevation); }
   void pan(double right, double up) { camera_.pan(right, up); }
-  void zoom(double factor) { camera_.zoom(factor); }
+  void zoom_at(double factor, double right, double up) { camera_.zoom_at(factor, right, up); }
 
   const view::Camera& camera() const { return camera_; }
 
@@ -42,7 +42,7 @@ class ArenaView {
   bool draw(const LiveState& snapshot, bool fresh, const view::ColorScale& scale, int width,
             int height, int samples);
 
-  /// What was drawn.
+  /// What was drawn, upside down.
   const gl::Target& store() const { return store_; }
 
   /// Writes the picture that `pupflow render` would make from here, in its usual size, with the

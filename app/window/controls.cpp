@@ -6,23 +6,23 @@
 
 namespace pupflow::window {
 
-void Controls::propose(const Params& candidate) {
+void Controls::propose(const Params& candidate, bool continues) {
   const std::vector<Problem> problems = check(candidate);
   problem = problems.empty() ? std::string{} : problems.front().message;
   problem_at = problems.empty() ? std::string{} : problems.front().parameter;
   if (!problems.empty() || candidate == params) return;
-  commands.push_back(Edit{candidate, params});
+  commands.push_back(Edit{candidate, params, continues});
   params = candidate;
 }
 
-void Controls::propose(const Parameter& parameter, double value) {
+void Controls::propose(const Parameter& parameter, double value, bool continues) {
   if (Problem found; !check_value(parameter, value, found)) {
     refuse(found.parameter, found.message);
     return;
   }
   Params candidate = params;
   parameter.set(candidate, value);
-  propose(candidate);
+  propose(candidate, continues);
 }
 
 void Controls::refuse(std::string_view field, std::string reason) {
@@ -51,6 +51,23 @@ void Controls::go_to(std::int64_t step, const Timeline& timeline) {
 
 std::int64_t Controls::shown_step(const LiveState& state) const {
   return going_to.value_or(state.view().step);
+}
+
+void Controls::select(std::optional<int> pup) {
+  selected = pup;
+  if (!pup) camera_mode = CameraMode::free;
+}
+
+void Controls::show(int pup) {
+  select(pup);
+  camera_mode = CameraMode::follow;
+}
+
+void Controls::watch() {
+  const PartSet parts = look.overlays.parts() | inspected.parts;
+  if (parts == watched.parts && inspected.velocities == watched.velocities) return;
+  watched = {parts, inspected.velocities};
+  commands.push_back(watched);
 }
 
 void Controls::color_by(const LitterField& field) {

@@ -19,6 +19,11 @@ enum class CameraMode {
   eye      // it looks along the pup's heading, from in front of its body
 };
 
+/// Steps of a run, the first and the last.
+struct StepRange {
+  std::int64_t first, last;
+};
+
 /// The window's own state beside the simulation's, and what was asked for since the last frame.
 struct Controls {
   Params params;         // the window's copy: always sound, sent whole with every edit
@@ -27,24 +32,33 @@ struct Controls {
   double speed = 1;      // times real time, unless
   bool as_fast = false;  // as fast as possible
   pictures::Look look;
-  std::optional<std::int64_t> typed_seed;     // while it is being typed
   std::optional<int> selected;                // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
-  bool panels = true;
+  Watch inspected;      // what the inspector shows; nothing while it is closed
+  Watch watched;        // what the runner was asked to record
+  bool panels = true;   // beside the arena
+  bool drawer = false;  // the panel over the arena, in a window that is
+  bool narrow = false;  // too narrow for panels beside it
   bool help = false;
+  std::vector<std::string> recent;       // files, the last one first
+  std::string open;                      // a shipped scene or a file to open now; empty: none
+  bool pause_minimised = false;          // a minimised window takes no steps
   std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
   std::string problem;                   // why the last value was not taken; empty when it was
   std::string problem_at;                // the parameter or field that it is about
+
+  std::string message;                // to be shown over the arena for a while
+  std::optional<StepRange> save_csv;  // steps to be saved as CSV
 
   std::vector<Command> commands;  // for the runner
   std::vector<Action> actions;    // as if their keys had been pressed
 
   /// Makes `candidate` the parameters and asks the runner to take them, if it is sound; otherwise
-  /// says why in `problem`.
-  void propose(const Params& candidate);
+  /// says why in `problem`. `continues`: undo takes it back together with the edit before.
+  void propose(const Params& candidate, bool continues = false);
 
   /// The same with one parameter changed.
-  void propose(const Parameter& parameter, double value);
+  void propose(const Parameter& parameter, double value, bool continues = false);
 
   /// Says why what was typed into a field was not taken.
   void refuse(std::string_view field, std::string reason);
@@ -58,6 +72,15 @@ struct Controls {
 
   /// The step that is shown, or that was asked for and is still to come.
   std::int64_t shown_step(const LiveState& state) const;
+
+  /// Selects another pup, or none; none ends its camera.
+  void select(std::optional<int> pup);
+
+  /// Selects a pup and brings it into the middle of the arena.
+  void show(int pup);
+
+  /// Has steps record what the overlays and the inspector show, when that has changed.
+  void watch();
 
   /// Shows another field in colors, with the usual color map and range of its kind.
   void color_by(const LitterField& field);

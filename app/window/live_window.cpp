@@ -23,7 +23,7 @@ bool drawn_by_processor() {
 
 }  // namespace
 
-LiveWindow::LiveWindow(const LiveJob& job)
+LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
       arena_(job.look),
@@ -34,13 +34,21 @@ LiveWindow::LiveWindow(const LiveJob& job)
                .threads = job.threads,
                .hashed = true,  // a picture carries it
                .notify = [] { glfwPostEmptyEvent(); }}),
-      schedule_(drawn_by_processor()) {
+      schedule_(drawn_by_processor()),
+      desk_({job.opened, job.params, job.from ? job.from->edited : std::nullopt}),
+      settings_(settings),
+      written_(settings) {
   picture_path(job.screenshot, 0);  // a bad pattern fails now, not with the first screenshot
   controls_.params = controls_.seen = controls_.scene = job.params;
   controls_.look = job.look;
+  controls_.panels = settings.panels;
+  controls_.pause_minimised = settings.pause_minimised;
+  controls_.recent = settings.recent;
+  seen_ = present();
+  seen_field_ = job.look.scale.field;
   runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();
-  gui_ = std::make_unique<Gui>(window_, job.ui_scale, Theme::light);
+  gui_ = std::make_unique<Gui>(window_, job.ui_scale, settings.theme);
   install_key_callback();
   glfwSwapInterval(1);
   if (job.look.verbose) {
@@ -58,6 +66,7 @@ void LiveWindow::run() {
     exchange_snapshots(now);
     if (schedule_.frame_due(now)) frame(now);
   }
+  keep_settings();
   events_.closed();
 }
 
@@ -82,7 +91,8 @@ void LiveWindow::follow_visibility() {
                        glfwGetWindowAttrib(window_.handle(), GLFW_ICONIFIED) == GLFW_FALSE;
   if (visible == schedule_.visible()) return;
   schedule_.set_visible(visible);
-  runner_.send(Suspend{!visible});
+  events_.visible(visible);
+  runner_.send(Suspend{!visible && controls_.pause_minimised});
 }
 
 void LiveWindow::exchange_snapshots(double now) {
@@ -103,20 +113,25 @@ void LiveWindow::frame(double now) {
   schedule_.begin_frame(now);
   gui_->begin_frame();
   const ImGuiIO& io = ImGui::GetIO();
-  const Layout layout =
-      make_layout(io.DisplaySize.x, io.DisplaySize.y, gui_->scale(), controls_.panels);
+  const Layout layout = lay_out();
   const LiveState& snapshot = runner_.snapshot();
   const double rate = snapshot.playing ? schedule_.frames_per_second() : 0;
   const PanelInput input{snapshot, controls_, gui_->fonts(), events_, tips_, rate};
   tips_.begin_frame(layout, now);
-  observe(panels_.draw(layout, input));
+  panels_.draw(layout, input);
   fit_scale();
   legend_.draw(layout.bar, scale_, input);
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
+  events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
+  point_at_pups(layout.arena);
+  events_.problem(controls_.problem_at, controls_.problem);
   move_camera(layout.arena, now);
+  desk_frame(input);
+  lead_camera(now);
+  controls_.watch();
   const DrawnArena drawn = draw_arena(layout);
   gui_->end_frame();
 
@@ -125,10 +140,17 @@ void LiveWindow::frame(double now) {
   schedule_.end_frame();
 }
 
-/// The engine works out the observables only while they are shown.
-void LiveWindow::observe(bool observed) {
-  if (observed != observed_) controls_.commands.push_back(Observe{observed});
-  observed_ = observed;
+Layout LiveWindow::lay_out() {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  LayoutWish wish{.width = size.x, .height = size.y, .scale = gui_->scale()};
+  wish.menu = ImGui::GetFrameHeight();
+  wish.transport = panels_.transport_height();
+  if (wish.transport == 0) wish.transport = LayoutWish{}.transport * wish.scale;
+  wish.panels = controls_.panels;
+  wish.drawer = controls_.drawer;
+  const Layout layout = make_layout(wish);
+  controls_.narrow = layout.narrow;
+  return layout;
 }
 
 /// After the panels, which may have chosen another field.
@@ -162,7 +184,7 @@ LiveWindow::DrawnArena LiveWindow::draw_arena(const Layout& layout) {
   const LitterView litter = snapshot.view();
   marks_.paint(*ImGui::GetBackgroundDrawList(),
                {litter, scale_, arena_.camera(), arena_.bodies(), layout.arena}, schedule_.fresh(),
-               controls_.look);
+               controls_.look, selection_marks());
   return {place, anew, samples};
 }
 

@@ -28,7 +28,7 @@ bool Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, vi
   for (const PixelBox& box : boxes) {
     const auto holds = [&](const PixelBox& place) { return place.holds(box); };
     if (std::ranges::any_of(places, holds)) continue;
-    glScissor(box.left, height - box.bottom, box.width(), box.height());
+    glScissor(box.left, box.top, box.width(), box.height());
     glClear(GL_COLOR_BUFFER_BIT);
   }
   glDisable(GL_SCISSOR_TEST);
@@ -36,15 +36,16 @@ bool Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, vi
     for (const PixelBox& box : boxes) {
       const PixelBox part = common(box, image.place);
       if (part.empty()) continue;
-      image.store->copy_part_to(store_.framebuffer(), part.left, height - part.bottom,
-                                {part.left - image.place.left, image.place.bottom - part.bottom,
-                                 part.width(), part.height()});
+      image.store->copy_to(
+          store_.framebuffer(), part.left, part.top,
+          {part.left - image.place.left, part.top - image.place.top, part.width(), part.height()});
     }
   }
   glViewport(0, 0, width, height);
   cut_to(data, boxes);
+  turn_upside_down(data);
   gui.draw();
-  store_.copy_to(0, 0, 0);
+  copy_.show(store_);
   return true;
 }
 

@@ -11,11 +11,12 @@
 
 namespace pupflow::window {
 
-/// Holds what the window shows in a store of its own. A context must be current whenever a function
-/// here runs.
+/// Holds what the window shows in a store of its own, as its images are: upside down, the upper row
+/// first. So do software drivers keep windows; to copy it there they need not turn it. A context must
+/// be current whenever a function here runs.
 class Painter {
  public:
-  /// A picture below the panels, drawn already.
+  /// A picture below the panels, drawn already, upside down.
   struct Image {
     const gl::Target* store;
     PixelBox place;  // as large as the store
@@ -31,7 +32,8 @@ class Painter {
 
  private:
   Repaint repaint_;
-  gl::Target store_;
+  gl::Target store_{false};
+  gl::WindowCopy copy_;
   float scale_ = 0, density_ = 0;  // of the fonts that were painted
 };
 

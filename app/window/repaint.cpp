@@ -225,4 +225,15 @@ void cut_to(ImDrawData& data, std::span<const PixelBox> boxes) {
   }
 }
 
+void turn_upside_down(ImDrawData& data) {
+  const auto mirrored = [&](float y) { return 2 * data.DisplayPos.y + data.DisplaySize.y - y; };
+  for (int l = 0; l < data.CmdListsCount; ++l) {
+    for (ImDrawVert& vertex : data.CmdLists[l]->VtxBuffer) vertex.pos.y = mirrored(vertex.pos.y);
+    for (ImDrawCmd& command : data.CmdLists[l]->CmdBuffer) {
+      ImVec4& clip = command.ClipRect;
+      clip = {clip.x, mirrored(clip.w), clip.z, mirrored(clip.y)};
+    }
+  }
+}
+
 }  // namespace pupflow::window

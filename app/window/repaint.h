@@ -51,4 +51,7 @@ class Repaint {
 /// Leaves in `data` what touches `boxes`, cut to them.
 void cut_to(ImDrawData& data, std::span<const PixelBox> boxes);
 
+/// Mirrors `data`: what was at the window's upper edge is at the lower one.
+void turn_upside_down(ImDrawData& data);
+
 }  // namespace pupflow::window

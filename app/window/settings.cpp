@@ -14,7 +14,6 @@
 #include "app/io/toml_depth.h"
 #include "app/io/toml_text.h"
 #include "app/view/colormap.h"
-#include "app/window/live_job.h"
 
 namespace pupflow::window {
 namespace {
@@ -35,6 +34,7 @@ void each(Visitor&& visit, Of& settings) {
   visit.name("draw", settings.draw, view::kDrawNames);
   visit.map("colormap", settings.colormap);
   visit.flag("panels", settings.panels);
+  visit.flag("pause_minimised", settings.pause_minimised);
   visit.list("recent", settings.recent);
 }
 
@@ -153,10 +153,10 @@ std::string variable(const char* name) {
 
 }  // namespace
 
-void Settings::remember(const std::string& scene) {
-  if (scene.empty() || scene.size() > kLongestName || io::printable(scene) != scene) return;
-  std::erase(recent, scene);
-  recent.insert(recent.begin(), scene);
+void Settings::remember(const std::string& path) {
+  if (path.empty() || path.size() > kLongestName || io::printable(path) != path) return;
+  std::erase(recent, path);
+  recent.insert(recent.begin(), path);
   if (recent.size() > kMostRecent) recent.resize(kMostRecent);
 }
 
@@ -221,17 +221,6 @@ std::string write_settings(const std::string& path, const Settings& settings) {
   } catch (const io::Failure& failure) {
     return "settings are not kept: " + io::printable(failure.what());
   }
-}
-
-void apply_settings(const Settings& settings, LiveJob& job) {
-  const LiveJob::Given& given = job.given;
-  if (!given.size) std::tie(job.width, job.height) = std::pair(settings.width, settings.height);
-  if (!given.ui_scale) job.ui_scale = settings.ui_scale;
-  if (!given.quality) job.look.quality = settings.quality;
-  if (!given.draw) job.look.draw = settings.draw;
-  const bool free = !given.colormap && job.look.scale.field->kind == FieldKind::continuous;
-  if (free && !settings.colormap.empty()) job.look.scale.set_map(settings.colormap);
-  job.settings = settings;
 }
 
 }  // namespace pupflow::window

@@ -6,29 +6,29 @@
 #include <vector>
 
 #include "app/view/drawing.h"
+#include "app/window/live_job.h"
 #include "app/window/theme_choice.h"
 
 namespace pupflow::window {
-
-struct LiveJob;
 
 /// The recent files that are remembered.
 constexpr std::size_t kMostRecent = 10;
 
 struct Settings {
-  int width = 1400, height = 900;  // of the window
-  double ui_scale = 0;             // 0: the display's
+  int width = kUsualWidth, height = kUsualHeight;  // of the window
+  double ui_scale = 0;                             // 0: the display's
   Theme theme = Theme::light;
   view::Quality quality = view::Quality::normal;
   view::Draw draw = view::Draw::skin;
   std::string colormap;             // empty: that of the field's kind
   bool panels = true;               // open
-  std::vector<std::string> recent;  // names of shipped scenes and whole paths, the last one first
+  bool pause_minimised = false;     // a minimised window takes no steps
+  std::vector<std::string> recent;  // whole paths, the last one first
 
   friend bool operator==(const Settings&, const Settings&) = default;
 
-  /// Puts `scene` in front of the recent ones, where text can name it.
-  void remember(const std::string& scene);
+  /// Puts `path` in front of the recent ones, if text can name it.
+  void remember(const std::string& path);
 };
 
 /// $XDG_CONFIG_HOME/pupflow/settings.toml, by default ~/.config/pupflow/settings.toml; empty where
@@ -49,8 +49,5 @@ Settings read_settings(const std::string& path, std::string& problem);
 /// Writes them to `path`, whole or not at all, and makes its folder. Says in one line why it could
 /// not; empty: it could.
 std::string write_settings(const std::string& path, const Settings& settings);
-
-/// Takes from `settings` what `job` was not given.
-void apply_settings(const Settings& settings, LiveJob& job);
 
 }  // namespace pupflow::window

@@ -70,7 +70,8 @@ TEST(KeyMap, TheWellKnownKeys) {
   EXPECT_EQ(action_for(GLFW_KEY_R, 0, false), Action::restart);
   EXPECT_EQ(action_for(GLFW_KEY_F12, 0, false), Action::screenshot);
   EXPECT_EQ(action_for(GLFW_KEY_F1, 0, false), Action::toggle_help);
-  EXPECT_EQ(action_for(GLFW_KEY_ESCAPE, 0, false), Action::quit);
+  EXPECT_EQ(action_for(GLFW_KEY_ESCAPE, 0, false), Action::close);
+  EXPECT_EQ(action_for(GLFW_KEY_Q, 0, false), Action::quit);
 }
 
 TEST(KeyMap, ShiftChoosesItsOwnRowAndIsOtherwiseIgnored) {

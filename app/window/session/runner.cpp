@@ -20,6 +20,19 @@ Clock::time_point time_point(double seconds_since_epoch) {
       std::chrono::duration<double>(seconds_since_epoch)));
 }
 
+/// Whether `command` leaves nothing to do of the one `before` it. An edit takes over when the drag
+/// of the slider began.
+bool replaces(Command& command, const Command& before) {
+  if (command.index() != before.index()) return false;
+  if (Edit* const edit = std::get_if<Edit>(&command)) {
+    if (!edit->continues) return false;
+    edit->before = std::get<Edit>(before).before;
+    edit->continues = std::get<Edit>(before).continues;
+    return true;
+  }
+  return std::holds_alternative<GoTo>(command) || std::holds_alternative<Pull>(command);
+}
+
 }  // namespace
 
 Runner::Runner(Options options)
@@ -39,14 +52,8 @@ Runner::~Runner() {
 void Runner::send(Command command) {
   {
     const std::lock_guard lock(mutex_);
-    const bool replaces = std::holds_alternative<Edit>(command) && !queue_.empty() &&
-                          std::holds_alternative<Edit>(queue_.back());
-    if (replaces) {
-      std::get<Edit>(command).before = std::get<Edit>(queue_.back()).before;
-      queue_.back() = std::move(command);
-    } else {
-      queue_.push_back(std::move(command));
-    }
+    if (!queue_.empty() && replaces(command, queue_.back())) queue_.pop_back();
+    queue_.push_back(std::move(command));
   }
   changed_.notify_one();
 }

@@ -34,8 +34,8 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// Queues a command; it is applied before the next step. An edit replaces an edit that is the
-  /// last in the queue.
+  /// Queues a command; it is applied before the next step. A drag that goes on replaces what it last
+  /// asked for, as long as that is the last in the queue.
   void send(Command command);
 
   /// Asks for one snapshot. It is made as soon as something has changed since the last one.

@@ -20,9 +20,7 @@
   X("rim.vert", rim_vert)                   \
   X("rim.frag", rim_frag)                   \
   X("resolve.vert", resolve_vert)           \
-  X("resolve.frag", resolve_frag)           \
-  X("copy.vert", copy_vert)                 \
-  X("copy.frag", copy_frag)
+  X("resolve.frag", resolve_frag)
 
 #define PUPFLOW_DECLARE(file, symbol)                      \
   extern "C" const char pupflow_shader_##symbol##_begin[]; \

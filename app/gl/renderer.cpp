@@ -1,7 +1,6 @@
 #include "app/gl/renderer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -117,13 +116,11 @@ void Renderer::upload(const view::DrawList& list) {
 }
 
 void Renderer::draw(const view::Camera& camera, const Viewport& viewport, int supersample,
-                    const Palette& palette, Upright upright) {
+                    const Palette& palette) {
   line_scale_ = static_cast<float>(supersample) *
                 std::max(1.0f, static_cast<float>(viewport.height) / kUsualRows);
   const double aspect = static_cast<double>(viewport.width) / viewport.height;
-  view::CameraMatrices matrices = camera.matrices(aspect, bounds_);
-  if (upright == Upright::no) matrices.clip_from_eye.row(1) *= -1;
-  glFrontFace(upright == Upright::yes ? GL_CCW : GL_CW);
+  const view::CameraMatrices matrices = camera.matrices(aspect, bounds_);
   const bool from_below = matrices.perspective ? camera.eye().z() < 0 : camera.backward().z() < 0;
   if (supersample == 1) {
     draw_scene(matrices, from_below, viewport, palette);
@@ -286,7 +283,7 @@ void Renderer::draw_spheres(const view::CameraMatrices& matrices, int rows) {
     glUniform1f(program->uniform("radius"), sphere_radius_);
     glUniform1f(program->uniform("edge_shade"), kEdgeShade);
     glUniform1f(program->uniform("pixel"),
-                2 / (std::abs(matrices.clip_from_eye(1, 1)) * static_cast<float>(rows)));
+                2 / (matrices.clip_from_eye(1, 1) * static_cast<float>(rows)));
     glUniform1f(program->uniform("shrink"), soft_ ? 0.5f : 0);
     glUniform1f(program->uniform("margin"), program == &spheres_program_ ? 0 : 1);
   }

@@ -28,9 +28,6 @@ struct Palette {
   view::Rgb glass{110, 130, 150}, rim{120, 127, 136};
 };
 
-/// Whether the upper row of what is drawn is the framebuffer's upper row, or its first one.
-enum class Upright { yes, no };
-
 class Renderer {
  public:
   /// Compiles the embedded shaders, or those in `shader_dir` when it is not empty. Throws
@@ -46,7 +43,7 @@ class Renderer {
   /// viewport's. Leaves that framebuffer bound, depth test and blending off. Throws
   /// Failure(bad_input) when the samples need a larger texture than the driver allows.
   void draw(const view::Camera& camera, const Viewport& viewport, int supersample,
-            const Palette& palette = {}, Upright upright = Upright::yes);
+            const Palette& palette = {});
 
   /// The same into a picture of its own.
   io::Image picture(const view::Camera& camera, int width, int height, int supersample,

@@ -1,8 +1,7 @@
-// An off-screen framebuffer: a color texture and, where it is wanted, a depth buffer.
+// An off-screen framebuffer: a color texture and a depth buffer.
 #pragma once
 
 #include "app/gl/object.h"
-#include "app/gl/program.h"
 #include "app/io/png.h"
 
 namespace pupflow::gl {
@@ -14,8 +13,6 @@ struct Viewport {
 
 class Target {
  public:
-  explicit Target(bool has_depth = true) : has_depth_(has_depth) {}
-
   /// Throws Failure(bad_input) when the driver allows no target of this size in pixels.
   static void refuse_large(int width, int height);
 
@@ -31,8 +28,8 @@ class Target {
   /// Binds it for drawing.
   void bind() const;
 
-  /// Copies the colors of `part`, pixel by pixel, to (x, y) of `framebuffer`, which stays bound for
-  /// drawing.
+  /// Copies the colors of `part`, pixel by pixel, to (x, y) (lower left) of `framebuffer`, which stays
+  /// bound for drawing.
   void copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const;
 
   /// Its colors as a picture.
@@ -42,24 +39,7 @@ class Target {
   Framebuffer framebuffer_;
   Texture color_;
   Renderbuffer depth_;
-  bool has_depth_;
   int width_ = 0, height_ = 0;
-};
-
-/// Copies targets that are upside down to the window.
-class WindowCopy {
- public:
-  /// Throws Failure for shaders that cannot be used.
-  WindowCopy();
-
-  /// Fills the window's framebuffer, which has its size, with `target`, whose first row becomes the
-  /// upper one. It draws a rectangle: where neither has a depth buffer, Mesa's software driver copies
-  /// it row by row, which it does not for glBlitFramebuffer from a texture to a window.
-  void show(const Target& target) const;
-
- private:
-  Program program_;
-  VertexArray no_vertices_;
 };
 
 }  // namespace pupflow::gl

@@ -36,26 +36,27 @@ Eigen::Vector3d up_on(int face) {
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> cross_cells(int face_points) {
-  std::vector<Eigen::Vector2d> corners;
+SkinCross::SkinCross(int face_points)
+    : face_points_(face_points),
+      grid_(static_cast<std::size_t>(kCrossWidth * kCrossHeight * face_points * face_points), -1) {
   for (const auto& [face, row, column] : skin_cells(face_points)) {
     const CrossFace& at = kCross[static_cast<std::size_t>(face)];
     const Eigen::Vector3d middle = on_cube(face, row + 0.5, column + 0.5, face_points);
-    const Eigen::Vector2d within((1 + middle.dot(right_on(face))) / 2,
-                                 (1 - middle.dot(up_on(face))) / 2);
-    corners.push_back(Eigen::Vector2d(at.x, at.y) + within -
-                      Eigen::Vector2d::Constant(0.5 / face_points));
+    const double right = (1 + middle.dot(right_on(face))) / 2 * face_points - 0.5;
+    const double down = (1 - middle.dot(up_on(face))) / 2 * face_points - 0.5;
+    const auto x = at.x * face_points + std::lround(right);
+    const auto y = at.y * face_points + std::lround(down);
+    grid_[static_cast<std::size_t>(y * kCrossWidth * face_points + x)] =
+        static_cast<int>(cells_.size());
+    cells_.push_back(Eigen::Vector2d(static_cast<double>(x), static_cast<double>(y)) / face_points);
   }
-  return corners;
 }
 
-int cross_afferent(int face_points, const Eigen::Vector2d& place) {
-  const std::vector<Eigen::Vector2d> corners = cross_cells(face_points);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Eigen::Vector2d within = (place - corners[i]) * face_points;
-    if ((within.array() >= 0).all() && (within.array() < 1).all()) return static_cast<int>(i);
-  }
-  return -1;
+int SkinCross::afferent(const Eigen::Vector2d& place) const {
+  const double x = std::floor(place.x() * face_points_), y = std::floor(place.y() * face_points_);
+  const int width = kCrossWidth * face_points_, height = kCrossHeight * face_points_;
+  if (!(x >= 0 && x < width && y >= 0 && y < height)) return -1;
+  return grid_[static_cast<std::size_t>(y * width + x)];
 }
 
 Eigen::Matrix3d body_rotation(const LitterView& litter, int pup) {

@@ -28,13 +28,27 @@ constexpr std::array<CrossFace, 6> kCross{{{"+x", 1, 1},
                                            {"\u2212z", 1, 2}}};
 constexpr int kCrossWidth = 4, kCrossHeight = 3;
 
-/// The upper left corner of each afferent's cell on the cross. Cells are squares with an edge of
-/// 1 / `face_points`; cells that are neighbours on a face, or across an edge that the cross does not
-/// cut, are neighbours.
-std::vector<Eigen::Vector2d> cross_cells(int face_points);
+/// Where the afferents are on the cross. Their cells are squares with an edge of 1 / `face_points`.
+/// Cells that are neighbours on a face, or across an edge that the cross does not cut, are
+/// neighbours.
+class SkinCross {
+ public:
+  /// `face_points` >= 1.
+  explicit SkinCross(int face_points);
 
-/// The afferent whose cell of the cross holds a place, or -1.
-int cross_afferent(int face_points, const Eigen::Vector2d& place);
+  int face_points() const { return face_points_; }
+
+  /// The upper left corner of each afferent's cell.
+  const std::vector<Eigen::Vector2d>& cells() const { return cells_; }
+
+  /// The afferent whose cell holds a place, or -1.
+  int afferent(const Eigen::Vector2d& place) const;
+
+ private:
+  int face_points_;
+  std::vector<Eigen::Vector2d> cells_;
+  std::vector<int> grid_;  // afferents, row by row; -1 beside the cross
+};
 
 /// How a pup is turned: from body axes, in which it was at rest, to those of the arena. The rotation
 /// nearest to the map that fits its points best; none where they are not finite.

@@ -38,7 +38,7 @@ bool ArenaView::draw(const LiveState& snapshot, bool fresh, const view::ColorSca
   }
   store_.resize(width, height);
   store_.bind();
-  renderer_.draw(camera_, {0, 0, width, height}, samples, {}, gl::Upright::no);
+  renderer_.draw(camera_, {0, 0, width, height}, samples);
   drawn_camera_ = camera_;
   drawn_scale_ = scale;
   drawn_samples_ = samples;

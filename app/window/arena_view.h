@@ -42,7 +42,7 @@ class ArenaView {
   bool draw(const LiveState& snapshot, bool fresh, const view::ColorScale& scale, int width,
             int height, int samples);
 
-  /// What was drawn, upside down.
+  /// What was drawn.
   const gl::Target& store() const { return store_; }
 
   /// Writes the picture that `pupflow render` would make from here, in its usual size, with the

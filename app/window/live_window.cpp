@@ -26,6 +26,7 @@ bool drawn_by_processor() {
 LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
+      painter_(window_, drawn_by_processor()),
       arena_(job.look),
       events_(job.test_events),
       runner_({.params = job.params,
@@ -126,6 +127,7 @@ void LiveWindow::frame(double now) {
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
   events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
+  events_.area("arena", layout.arena);
   point_at_pups(layout.arena);
   events_.problem(controls_.problem_at, controls_.problem);
   move_camera(layout.arena, now);
@@ -190,9 +192,7 @@ LiveWindow::DrawnArena LiveWindow::draw_arena(const Layout& layout) {
 
 void LiveWindow::paint(const DrawnArena& drawn) {
   const Painter::Image arena{&arena_.store(), drawn.place};
-  if (painter_.paint(*gui_, {&arena, 1}, drawn.anew, gl::Palette{}.background)) {
-    glfwSwapBuffers(window_.handle());
-  }
+  painter_.paint(*gui_, {&arena, 1}, drawn.anew, gl::Palette{}.background);
   events_.camera(arena_.camera());
   events_.frame(drawn.samples);
 }

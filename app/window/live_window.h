@@ -105,6 +105,7 @@ class LiveWindow {
 
   LiveJob job_;
   context::GlfwWindow window_;  // outlives everything that lives in its context
+  Painter painter_;
   ArenaView arena_;
   ArenaMarks marks_;
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
@@ -124,7 +125,6 @@ class LiveWindow {
   bool settings_fail_ = false;  // it was said
   std::string title_;
   Area windowed_;  // where the window was before it was full screen
-  Painter painter_;
   CameraGuide guide_;
   bool pressed_arena_ = false;  // the left button went down over it, for a click or to turn it
   std::optional<Pulled> pulled_;

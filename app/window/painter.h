@@ -1,9 +1,9 @@
-// Paints frames into the window: of each only what it changes.
+// Paints frames into the window: of each, where the window can do so, only what it changes.
 #pragma once
 
-#include <functional>
 #include <span>
 
+#include "app/context/glfw_window.h"
 #include "app/gl/target.h"
 #include "app/view/rgb.h"
 #include "app/window/gui.h"
@@ -11,29 +11,40 @@
 
 namespace pupflow::window {
 
-/// Holds what the window shows in a store of its own, as its images are: upside down, the upper row
-/// first. So do software drivers keep windows; to copy it there they need not turn it. A context must
-/// be current whenever a function here runs.
+/// For one window, whose context must be current whenever a function here runs.
+///
+/// A software driver that has GLX_MESA_copy_sub_buffer keeps what was painted last time; then boxes
+/// are painted and shown, and a frame that changes nothing costs no pixel. Elsewhere each frame is
+/// painted whole.
 class Painter {
  public:
-  /// A picture below the panels, drawn already, upside down.
+  /// A picture below the panels, drawn already.
   struct Image {
     const gl::Target* store;
     PixelBox place;  // as large as the store
   };
 
-  /// Paints `images` on `paper` and over them the frame that `gui` has just ended, and copies it all
-  /// to the window's framebuffer. `new_images`: the stores' pixels are not those of the last call.
-  /// Returns false when the window shows all of it already.
-  bool paint(Gui& gui, std::span<const Image> images, bool new_images, view::Rgb paper);
+  /// `slow_gl`: the processor draws.
+  Painter(const context::GlfwWindow& window, bool slow_gl);
 
-  /// The next frame is painted whole: the window lost its pixels.
+  /// Shows `images` on `paper` and over them the frame that `gui` has just ended. `new_images`: the
+  /// stores' pixels are not those of the last call.
+  void paint(Gui& gui, std::span<const Image> images, bool new_images, view::Rgb paper);
+
+  /// The window lost its pixels.
   void forget() { repaint_.forget(); }
 
  private:
+  void clear(std::span<const PixelBox> boxes, std::span<const PixelBox> images, int height,
+             view::Rgb paper) const;
+  void show(std::span<const PixelBox> boxes, int height) const;
+
+  const context::GlfwWindow& window_;
+  void (*copy_box_)(void* display, unsigned long drawable, int x, int y, int width,
+                    int height) = nullptr;  // to the screen; null: the window shows whole frames
+  void* display_ = nullptr;
+  unsigned long drawable_ = 0;
   Repaint repaint_;
-  gl::Target store_{false};
-  gl::WindowCopy copy_;
   float scale_ = 0, density_ = 0;  // of the fonts that were painted
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace pupflow::window {
@@ -189,6 +190,28 @@ std::vector<PixelBox> Repaint::changed(const ImDrawData& data, std::span<const P
   });
 }
 
+std::vector<PixelBox> gathered(std::span<const PixelBox> boxes, std::size_t most) {
+  std::vector<PixelBox> few(boxes.begin(), boxes.end());
+  const auto both = [](const PixelBox& a, const PixelBox& b) {
+    return PixelBox{std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
+                    std::max(a.bottom, b.bottom)};
+  };
+  const auto area = [](const PixelBox& box) { return std::int64_t{box.width()} * box.height(); };
+  while (few.size() > std::max<std::size_t>(most, 1)) {
+    std::size_t first = 0, second = 1;  // the two whose common box adds least
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    for (std::size_t a = 0; a < few.size(); ++a) {
+      for (std::size_t b = a + 1; b < few.size(); ++b) {
+        const std::int64_t added = area(both(few[a], few[b])) - area(few[a]) - area(few[b]);
+        if (added < least) least = added, first = a, second = b;
+      }
+    }
+    few[first] = both(few[first], few[second]);
+    few.erase(few.begin() + static_cast<std::ptrdiff_t>(second));
+  }
+  return few;
+}
+
 void cut_to(ImDrawData& data, std::span<const PixelBox> boxes) {
   const Pixels pixels(data);
   const auto edge = [](int pixel, float origin, float scale) {
@@ -222,17 +245,6 @@ void cut_to(ImDrawData& data, std::span<const PixelBox> boxes) {
     if (commands.empty()) list.VtxBuffer.resize(0);
     list.CmdBuffer.swap(commands);
     list.IdxBuffer.swap(indices);
-  }
-}
-
-void turn_upside_down(ImDrawData& data) {
-  const auto mirrored = [&](float y) { return 2 * data.DisplayPos.y + data.DisplaySize.y - y; };
-  for (int l = 0; l < data.CmdListsCount; ++l) {
-    for (ImDrawVert& vertex : data.CmdLists[l]->VtxBuffer) vertex.pos.y = mirrored(vertex.pos.y);
-    for (ImDrawCmd& command : data.CmdLists[l]->CmdBuffer) {
-      ImVec4& clip = command.ClipRect;
-      clip = {clip.x, mirrored(clip.w), clip.z, mirrored(clip.y)};
-    }
   }
 }
 

@@ -48,10 +48,10 @@ class Repaint {
   std::vector<std::uint64_t> tiles_;  // hashes of what is drawn there
 };
 
+/// At most `most` boxes that cover these, and little else.
+std::vector<PixelBox> gathered(std::span<const PixelBox> boxes, std::size_t most);
+
 /// Leaves in `data` what touches `boxes`, cut to them.
 void cut_to(ImDrawData& data, std::span<const PixelBox> boxes);
-
-/// Mirrors `data`: what was at the window's upper edge is at the lower one.
-void turn_upside_down(ImDrawData& data);
 
 }  // namespace pupflow::window

@@ -57,6 +57,16 @@ void TestEvents::widget(std::string_view name) {
                      box(ImGui::GetItemRectMin(), ImGui::GetItemRectSize()) + " in " +
                      one_word(window.Name) + box(clip, {clip_end.x - clip.x, clip_end.y - clip.y});
   if (ImGui::GetScrollMaxY() > 0) line += " scrolls";
+  widget_line(name, line);
+}
+
+void TestEvents::area(std::string_view name, const Area& place) {
+  if (!on_) return;
+  const std::string at = box(place.corner, place.size);
+  widget_line(name, "widget " + one_word(name) + at + " in " + one_word(name) + at);
+}
+
+void TestEvents::widget_line(std::string_view name, const std::string& line) {
   Widget& widget = widgets_[one_word(name)];
   widget.seen = true;
   if (widget.said == line) return;

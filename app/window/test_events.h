@@ -48,6 +48,9 @@ class TestEvents {
   /// The Dear ImGui item just submitted, if any of it can be seen.
   void widget(std::string_view name);
 
+  /// A part of the window that is no Dear ImGui item: a widget in a panel of its own.
+  void area(std::string_view name, const Area& place);
+
   void snapshot(const LiveState& snapshot);
   /// Why the last value typed was not taken, when that changes.
   void problem(const std::string& field, const std::string& text);
@@ -71,6 +74,7 @@ class TestEvents {
   using Clock = std::chrono::steady_clock;
 
   void say(const std::string& line) const;
+  void widget_line(std::string_view name, const std::string& line);
   void forget_widgets();
 
   bool on_;

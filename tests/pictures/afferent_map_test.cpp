@@ -28,7 +28,8 @@ Eigen::Matrix3d any_rotation(std::mt19937& random) {
 
 TEST(AfferentMap, TheCrossHasACellForEachAfferentAndNoneOverlap) {
   for (const int k : {2, 3, 7, 11}) {
-    const std::vector<Eigen::Vector2d> cells = cross_cells(k);
+    const SkinCross cross(k);
+    const std::vector<Eigen::Vector2d>& cells = cross.cells();
     ASSERT_EQ(cells.size(), skin_cells(k).size());
     std::set<std::pair<long, long>> places;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -36,19 +37,23 @@ TEST(AfferentMap, TheCrossHasACellForEachAfferentAndNoneOverlap) {
       EXPECT_NEAR((place - place.array().round().matrix()).norm(), 0, 1e-9) << "on a grid";
       places.emplace(std::lround(place.x()), std::lround(place.y()));
       const Eigen::Vector2d middle = cells[i] + Eigen::Vector2d::Constant(0.5 / k);
-      EXPECT_EQ(cross_afferent(k, middle), static_cast<int>(i));
+      EXPECT_EQ(cross.afferent(middle), static_cast<int>(i));
       const CrossFace& face = kCross[i / static_cast<std::size_t>(k * k)];
       EXPECT_TRUE(middle.x() > face.x && middle.x() < face.x + 1) << i;
       EXPECT_TRUE(middle.y() > face.y && middle.y() < face.y + 1) << i;
     }
     EXPECT_EQ(places.size(), cells.size());
   }
-  EXPECT_EQ(cross_afferent(7, {0.5, 0.5}), -1) << "beside the cross";
+  EXPECT_EQ(SkinCross(7).afferent({0.5, 0.5}), -1) << "beside the cross";
+  EXPECT_EQ(SkinCross(7).afferent({-0.1, 1.5}), -1);
+  EXPECT_EQ(SkinCross(7).afferent({4.1, 1.5}), -1);
+  EXPECT_EQ(SkinCross(7).afferent({std::nan(""), 1.5}), -1);
 }
 
 TEST(AfferentMap, NeighboursOnTheCrossAreNeighboursOnTheSkin) {
   constexpr int k = 7;
-  const std::vector<Eigen::Vector2d> cells = cross_cells(k);
+  const SkinCross cross(k);
+  const std::vector<Eigen::Vector2d>& cells = cross.cells();
   const std::vector<Vector> rest = cube_sphere(k, 1);
   int neighbours = 0;
   for (std::size_t a = 0; a < cells.size(); ++a) {
@@ -63,7 +68,8 @@ TEST(AfferentMap, NeighboursOnTheCrossAreNeighboursOnTheSkin) {
 
 TEST(AfferentMap, TheCrossIsSeenFromOutside) {
   constexpr int k = 5;
-  const std::vector<Eigen::Vector2d> cells = cross_cells(k);
+  const SkinCross cross(k);
+  const std::vector<Eigen::Vector2d>& cells = cross.cells();
   const std::vector<Vector> rest = cube_sphere(k, 1);
   const std::vector<SkinCell> skin = skin_cells(k);
   for (std::size_t i = 0; i + 1 < skin.size(); ++i) {

@@ -57,19 +57,24 @@ std::span<const char* const> Panels::names() {
 bool Panels::draw(const Layout& layout, const PanelInput& in) {
   bool observed = false;
   draw_menu(in);
+  in.controls.inspected = {};
   if (layout.left.size.x > 0) {
     begin_panel(kLeft, layout.left);
     constexpr int kProblemLines = 2;
     ImGui::BeginChild("rows", {0, -kProblemLines * ImGui::GetTextLineHeightWithSpacing()});
     parameters_.draw_top(in);
     parameters_.draw_groups(in);
-    if (!layout.two_panels) observed = numbers_.draw(in);
+    if (!layout.two_panels) {
+      inspector_.draw(in);
+      observed = numbers_.draw(in);
+    }
     ImGui::EndChild();
     draw_problem(in);
     ImGui::End();
   }
   if (layout.two_panels) {
     begin_panel(kRight, layout.right);
+    inspector_.draw(in);
     observed = numbers_.draw(in);
     ImGui::End();
   }

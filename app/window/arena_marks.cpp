@@ -97,7 +97,10 @@ void ArenaMarks::watch(const LitterView& litter, const pictures::Look& look) {
     trails_ = view::Trails();
     return;
   }
-  if (trails_.seconds() != look.trail) trails_ = view::Trails(look.trail);
+  if (trails_.seconds() != look.trail) {
+    trails_ = view::Trails(look.trail);
+    marked_.reset();
+  }
   trails_.add(litter);
 }
 

@@ -57,8 +57,8 @@ class ArenaMarks {
   void watch(const LitterView& litter, const pictures::Look& look);
 
   view::Trails trails_;
-  view::Marks marks_;  // of the overlays
-  std::optional<view::OverlaySet> marked_;
+  view::Marks marks_;                       // of the overlays
+  std::optional<view::OverlaySet> marked_;  // the overlays that they are of
 };
 
 }  // namespace pupflow::window

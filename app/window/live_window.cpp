@@ -121,7 +121,7 @@ void LiveWindow::frame(double now) {
   tips_.begin_frame(layout, now);
   panels_.draw(layout, input);
   fit_scale();
-  if (layout.bar.size.x > 0) legend_.draw(layout.bar, scale_, input);
+  legend_.draw(layout.bar, scale_, input);
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);

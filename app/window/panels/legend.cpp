@@ -13,7 +13,7 @@ ImVec2 place(double x, double y) {
   return {static_cast<float>(x), static_cast<float>(y)};
 }
 
-void draw_label(ImDrawList& list, const ImFont& font, const view::ColorBar::Label& label) {
+void draw_label(ImDrawList& list, ImFont& font, const view::ColorBar::Label& label) {
   const double x = aligned(font, label.x, label.text, label.size, label.align);
   const int first = list.VtxBuffer.Size;
   draw_line(list, font, x, label.y, label.text, label.size, kPaperInk);
@@ -40,7 +40,7 @@ void paint_wheel(ImDrawList& list, const view::ColorBar::Wheel& wheel) {
   }
 }
 
-void paint(ImDrawList& list, const ImFont& font, const view::ColorBar& layout) {
+void paint(ImDrawList& list, ImFont& font, const view::ColorBar& layout) {
   const auto low = [](const view::Box& box) { return place(box.x, box.y); };
   const auto high = [](const view::Box& box) {
     return place(box.x + box.width, box.y + box.height);

@@ -25,8 +25,8 @@ struct Menu {
 constexpr std::array kMenus{
     Menu{kScene,
          {Action::open, Action::save, Action::save_as, Action::copy_command, Action::screenshot,
-          Action::quit},
-         6},
+          Action::record, Action::quit},
+         7},
     Menu{"Run",
          {Action::play_pause, Action::step, Action::step_many, Action::step_back,
           Action::step_back_many, Action::restart, Action::new_seed},

@@ -83,6 +83,7 @@ constexpr std::array kKeys{
            false,
            "S, F12",
            "save a picture (PNG, with all parameters in it)"},
+    KeyRow{Action::record, {GLFW_KEY_V}, false, false, "V", "begin or end a film (MP4)"},
     KeyRow{Action::open,
            {GLFW_KEY_O},
            false,

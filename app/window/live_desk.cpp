@@ -66,6 +66,9 @@ void LiveWindow::desk_frame(const PanelInput& input) {
 
 void LiveWindow::desk_action(Action action) {
   switch (action) {
+    case Action::record:
+      switch_film();
+      break;
     case Action::open:
       dialogs_.ask_open(folder_of(desk_.path()));
       break;
@@ -94,6 +97,7 @@ void LiveWindow::desk_action(Action action) {
     case Action::switch_theme:
       settings_.theme = settings_.theme == Theme::light ? Theme::dark : Theme::light;
       gui_->set_theme(settings_.theme);
+      events_.note("theme", settings_.theme == Theme::light ? "light" : "dark");
       break;
     case Action::full_screen:
       switch_full_screen();

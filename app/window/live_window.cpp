@@ -67,6 +67,7 @@ void LiveWindow::run() {
     exchange_snapshots(now);
     if (schedule_.frame_due(now)) frame(now);
   }
+  end_film();
   keep_settings();
   events_.closed();
 }
@@ -104,6 +105,7 @@ void LiveWindow::exchange_snapshots(double now) {
     const LitterView litter = snapshot.view();
     if (!snapshot.rejected.empty()) controls_.params = litter.params;
     controls_.follow(snapshot);
+    film_snapshot();
   }
   if (!schedule_.wants_snapshot(now)) return;
   runner_.request();
@@ -121,7 +123,7 @@ void LiveWindow::frame(double now) {
   tips_.begin_frame(layout, now);
   panels_.draw(layout, input);
   fit_scale();
-  if (layout.bar.size.x > 0) legend_.draw(layout.bar, scale_, input);
+  legend_.draw(layout.bar, scale_, input);
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);

@@ -38,6 +38,7 @@ namespace pupflow::window {
 ///   samples N             the arena has N x N samples a pixel, when N changes
 ///   pointed TIME|nowhere  where on the plots' common time axis the mouse is
 ///   tip X Y W H, tip none  where the tooltip is
+///   theme light|dark, filmed PATH
 ///   visible yes|no        the window was minimised or shown again
 ///   frames N              the window is closed after drawing N frames
 class TestEvents {

@@ -25,8 +25,8 @@ struct Menu {
 constexpr std::array kMenus{
     Menu{kScene,
          {Action::open, Action::save, Action::save_as, Action::copy_command, Action::screenshot,
-          Action::quit},
-         6},
+          Action::record, Action::quit},
+         7},
     Menu{"Run",
          {Action::play_pause, Action::step, Action::step_many, Action::step_back,
           Action::step_back_many, Action::restart, Action::new_seed},
@@ -102,10 +102,12 @@ void draw_recent(const PanelInput& in) {
   ImGui::EndMenu();
 }
 
+constexpr const char* kHidePanels = "Hide panels";
+
 /// At the right end, in every layout: what H does.
 void draw_panels_button(const PanelInput& in) {
   const bool shown = in.controls.narrow ? in.controls.drawer : in.controls.panels;
-  const char* label = shown ? "Hide panels" : "Panels";
+  const char* label = shown ? kHidePanels : "Panels";
   const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x);
   if (ImGui::SmallButton(label)) in.controls.actions.push_back(Action::toggle_panels);
@@ -113,10 +115,7 @@ void draw_panels_button(const PanelInput& in) {
   in.tips.show("Hide or show the panels (H)");
 }
 
-}  // namespace
-
-void draw_menu(const PanelInput& in) {
-  if (!ImGui::BeginMainMenuBar()) return;
+void draw_menus(const PanelInput& in) {
   for (const Menu& menu : kMenus) {
     const bool open = ImGui::BeginMenu(menu.title);
     in.events.widget(std::string("menu-") + menu.title);
@@ -138,6 +137,32 @@ void draw_menu(const PanelInput& in) {
       in.events.widget("pause_minimised");
     }
     ImGui::EndMenu();
+  }
+}
+
+/// Whether the menus stand beside each other in the bar, the button for the panels behind them.
+bool menus_fit() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float width = ImGui::CalcTextSize(kHidePanels).x + 4 * style.ItemSpacing.x;
+  for (const Menu& menu : kMenus) {
+    width += ImGui::CalcTextSize(menu.title).x + 2 * style.ItemSpacing.x;
+  }
+  return width <= ImGui::GetWindowWidth();
+}
+
+}  // namespace
+
+void draw_menu(const PanelInput& in) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  if (menus_fit()) {
+    draw_menus(in);
+  } else {
+    const bool open = ImGui::BeginMenu("Menu");
+    in.events.widget("menu");
+    if (open) {
+      draw_menus(in);
+      ImGui::EndMenu();
+    }
   }
   draw_panels_button(in);
   ImGui::EndMainMenuBar();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/io/text.h"
+#include "app/window/imgui_compat.h"
 #include "app/window/panels/strip_scale.h"
 
 namespace pupflow::window {
@@ -129,9 +130,8 @@ std::string pointed_text(const Strip& strip, float x) {
 }
 
 void small_text(const Strip& strip, float x, float y, ImU32 color, const std::string& text) {
-  const ImFont* font = strip.in.fonts.small;
-  strip.list.AddText(font, font->FontSize * ImGui::GetIO().FontGlobalScale, {x, y}, color,
-                     text.c_str());
+  ImFont* font = strip.in.fonts.small;
+  strip.list.AddText(font, pixel_size(*font) * font_scale(), {x, y}, color, text.c_str());
 }
 
 void draw_ticks(const Strip& strip, float y) {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "app/io/text.h"
+#include "app/window/panels/record_button.h"
 #include "app/window/panels/timeline_strip.h"
 #include "app/window/typed_number.h"
 
@@ -101,6 +102,9 @@ void TransportPanel::draw_part(TransportPart part, float width, const PanelInput
     case TransportPart::picture:
       button("Picture", "screenshot", "Save a picture with all parameters in it (S)",
              Action::screenshot, width, true, in);
+      break;
+    case TransportPart::record:
+      draw_record_button(width, in);
       break;
     case TransportPart::more:
       draw_more(width, in);

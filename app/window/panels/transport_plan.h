@@ -13,6 +13,7 @@ enum class TransportPart {
   step,
   restart,
   picture,
+  record,
   more,
   clock,
   speed,

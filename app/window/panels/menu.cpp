@@ -40,6 +40,12 @@ constexpr std::array kMenus{
     Menu{"Help", {Action::toggle_help}, 1},
 };
 
+bool has_effect(Action action, const Timeline& run) {
+  if (action == Action::undo) return run.can_undo;
+  if (action == Action::redo) return run.can_redo;
+  return true;
+}
+
 std::string capitalized(std::string text) {
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
@@ -127,7 +133,8 @@ void draw_menus(const PanelInput& in) {
     }
     for (std::size_t i = 0; i < menu.count; ++i) {
       const KeyRow& row = key_row(menu.actions[i]);
-      if (ImGui::MenuItem(capitalized(row.doc).c_str(), row.text)) {
+      const bool can = has_effect(row.action, in.state.timeline);
+      if (ImGui::MenuItem(capitalized(row.doc).c_str(), row.text, false, can)) {
         in.controls.actions.push_back(row.action);
       }
       in.events.widget(word(row.text));

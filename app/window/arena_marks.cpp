@@ -15,7 +15,7 @@ constexpr double kIdText = 17;  // of the smallest labels of marks
 
 class Painter {
  public:
-  Painter(ImDrawList& list, const ImFont& font, const Area& area)
+  Painter(ImDrawList& list, ImFont& font, const Area& area)
       : list_(list), font_(font), corner_(area.corner) {}
 
   void operator()(const view::FlatLine& flat) {
@@ -59,13 +59,13 @@ class Painter {
   }
 
   ImDrawList& list_;
-  const ImFont& font_;
+  ImFont& font_;
   ImVec2 corner_;
 };
 
 }  // namespace
 
-void paint_flats(ImDrawList& list, const ImFont& font, std::span<const view::Flat> flats,
+void paint_flats(ImDrawList& list, ImFont& font, std::span<const view::Flat> flats,
                  const Area& area) {
   list.PushClipRect(area.corner, {area.corner.x + area.size.x, area.corner.y + area.size.y}, true);
   Painter painter(list, font, area);
@@ -119,7 +119,7 @@ void ArenaMarks::paint(ImDrawList& list, const Scene& scene, bool fresh, const p
     marked_ = look.overlays;
   }
   const view::Projection projection = projection_on(scene.camera, scene.area, scene.bodies);
-  const ImFont& font = *ImGui::GetFont();
+  ImFont& font = *ImGui::GetFont();
   const view::TextWidth text_width = [&](const view::TextLine& line, double size) {
     return width_of(font, line, size);
   };

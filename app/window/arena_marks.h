@@ -17,7 +17,7 @@ namespace pupflow::window {
 
 /// Paints `flats`, which are in window coordinates from the area's upper left corner; what would
 /// reach out of the area is cut off there.
-void paint_flats(ImDrawList& list, const ImFont& font, std::span<const view::Flat> flats,
+void paint_flats(ImDrawList& list, ImFont& font, std::span<const view::Flat> flats,
                  const Area& area);
 
 /// What widths and sizes of marks are multiplied by in an arena of that height: their labels are

@@ -45,14 +45,20 @@ bool ArenaView::draw(const LiveState& snapshot, bool fresh, const view::ColorSca
   return true;
 }
 
+io::Image ArenaView::picture(pictures::Picture& picture, const LiveState& snapshot) {
+  const LitterView litter = snapshot.view();
+  drawn_scale_.reset();  // from here on the renderer holds what this camera sees
+  return picture.draw(renderer_, litter,
+                      view::framed(camera_, litter.params, picture.scene_aspect()));
+}
+
 void ArenaView::write_picture(const std::string& path, const LiveState& snapshot,
                               const pictures::Look& look) {
   const pictures::RenderJob usual;
   const LitterView litter = snapshot.view();
   pictures::Picture picture(usual.width, usual.height, true, look);
   const view::Camera camera = view::framed(camera_, litter.params, picture.scene_aspect());
-  drawn_scale_.reset();  // from here on the renderer holds what this camera sees
-  const io::Image image = picture.draw(renderer_, litter, camera);
+  const io::Image image = this->picture(picture, snapshot);
 
   io::TextEntries extra{{"picture", "live"}, {"step", std::to_string(litter.step)}};
   const auto add = [&](const io::TextEntries& more) {

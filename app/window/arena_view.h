@@ -8,6 +8,7 @@
 #include "app/gl/renderer.h"
 #include "app/gl/target.h"
 #include "app/pictures/look.h"
+#include "app/pictures/picture.h"
 #include "app/view/camera.h"
 #include "app/view/draw_list.h"
 #include "app/window/session/session.h"
@@ -44,6 +45,9 @@ class ArenaView {
 
   /// What was drawn.
   const gl::Target& store() const { return store_; }
+
+  /// The picture of `snapshot` that `picture` makes from here.
+  io::Image picture(pictures::Picture& picture, const LiveState& snapshot);
 
   /// Writes the picture that `pupflow render` would make from here, in its usual size, with the
   /// color bar and all that is needed to make it again. Overwrites nothing. Throws Failure.

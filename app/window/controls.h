@@ -40,6 +40,7 @@ struct Controls {
   bool drawer = false;  // the panel over the arena, in a window that is
   bool narrow = false;  // too narrow for panels beside it
   bool help = false;
+  std::optional<double> filmed;          // seconds of the film so far, while there is one
   std::vector<std::string> recent;       // files, the last one first
   std::string open;                      // a shipped scene or a file to open now; empty: none
   bool pause_minimised = false;          // a minimised window takes no steps

@@ -31,6 +31,7 @@ enum class Action {
   follow_pup,
   pups_eye,
   screenshot,
+  record,
   open,
   save,
   save_as,

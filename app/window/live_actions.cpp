@@ -108,7 +108,10 @@ void LiveWindow::carry_out(double now) {
   for (const Action action : std::exchange(controls_.actions, {})) perform(action, now);
   if (const auto steps = std::exchange(controls_.save_csv, {})) save_csv(*steps);
   if (!controls_.message.empty()) show(std::exchange(controls_.message, {}));
-  for (Command& command : std::exchange(controls_.commands, {})) runner_.send(std::move(command));
+  for (Command& command : std::exchange(controls_.commands, {})) {
+    film_follows(command);
+    runner_.send(std::move(command));
+  }
 }
 
 void LiveWindow::perform(Action action, double now) {
@@ -123,6 +126,7 @@ void LiveWindow::perform(Action action, double now) {
     controls_.go_to(controls_.shown_step(shown) + steps, shown.timeline);
   };
   schedule_.panels_changed();  // the next frame shows the result
+  if (film_takes(action)) return;
   switch (action) {
     case Action::play_pause:
       controls_.commands.push_back(PlayPause{});

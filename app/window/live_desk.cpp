@@ -66,6 +66,9 @@ void LiveWindow::desk_frame(const PanelInput& input) {
 
 void LiveWindow::desk_action(Action action) {
   switch (action) {
+    case Action::record:
+      switch_film();
+      break;
     case Action::open:
       dialogs_.ask_open(folder_of(desk_.path()));
       break;

@@ -67,6 +67,7 @@ void LiveWindow::run() {
     exchange_snapshots(now);
     if (schedule_.frame_due(now)) frame(now);
   }
+  end_film();
   keep_settings();
   events_.closed();
 }
@@ -104,6 +105,7 @@ void LiveWindow::exchange_snapshots(double now) {
     const LitterView litter = snapshot.view();
     if (!snapshot.rejected.empty()) controls_.params = litter.params;
     controls_.follow(snapshot);
+    film_snapshot();
   }
   if (!schedule_.wants_snapshot(now)) return;
   runner_.request();

@@ -10,6 +10,7 @@
 #include "app/window/arena_marks.h"
 #include "app/window/arena_view.h"
 #include "app/window/controls.h"
+#include "app/window/film.h"
 #include "app/window/gui.h"
 #include "app/window/live_job.h"
 #include "app/window/painter.h"
@@ -68,6 +69,13 @@ class LiveWindow {
   void save_csv(StepRange steps);
   void show(const std::string& message);
 
+  // live_film.cpp: films.
+  void switch_film();
+  void film_snapshot();
+  bool film_takes(Action action);
+  void film_follows(const Command& command);
+  void end_film();
+
   // live_desk.cpp: scenes, settings, closing.
   void install_desk_callbacks();
   bool changed() const;
@@ -116,6 +124,8 @@ class LiveWindow {
   Tips tips_;
   Runner runner_;
   RedrawSchedule schedule_;
+  std::unique_ptr<Film> film_;
+  bool film_holds_ = false;  // it takes no further steps
   SceneDesk desk_;
   Dialogs dialogs_;
   std::function<void()> next_;   // once the changes are saved or discarded; empty: nothing

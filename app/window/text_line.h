@@ -14,14 +14,13 @@ inline ImU32 packed(view::Rgb color, double opacity = 1) {
 }
 
 /// The width of `line` with text of that size (em), in window coordinates.
-double width_of(const ImFont& font, const view::TextLine& line, double size);
+double width_of(ImFont& font, const view::TextLine& line, double size);
 
 /// Draws `line` with its baseline at height `y`, to the right of `x`.
-void draw_line(ImDrawList& list, const ImFont& font, double x, double y, const view::TextLine& line,
+void draw_line(ImDrawList& list, ImFont& font, double x, double y, const view::TextLine& line,
                double size, ImU32 color);
 
 /// The place left of `x` where a line must begin to be aligned there.
-double aligned(const ImFont& font, double x, const view::TextLine& line, double size,
-               view::Align align);
+double aligned(ImFont& font, double x, const view::TextLine& line, double size, view::Align align);
 
 }  // namespace pupflow::window

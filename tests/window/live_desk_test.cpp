@@ -199,6 +199,32 @@ TEST_F(LiveDesk, WithoutAPlaceForSettingsTheWindowWorksOn) {
   EXPECT_THAT(window_->errors(), HasSubstr("settings are not kept: "));
 }
 
+TEST_F(LiveDesk, AFilmHasEveryFrameAndTheSimulationWaitsForThem) {
+  if (run_command({.arguments = {"ffmpeg", "-version"}, .environment = {}, .folder = {}}) != 0) {
+    GTEST_SKIP() << "ffmpeg is not installed";
+  }
+  open({"--paused", "--seed", "2"});
+  screen_.press("v");
+  await("step 12");  // four steps of 0.01 s between two of 25 frames a second: 4, 8, 12
+  click("record");
+  const std::string film = scratch_.path(await("filmed "));
+  Child probe(
+      {.arguments = {"ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                     "stream=nb_read_frames:format_tags=comment", "-of", "default=nk=1", film},
+       .environment = {},
+       .folder = {}});
+  std::string said;
+  while (const auto line = probe.read_line()) said += *line + '\n';
+  EXPECT_GE(std::stoi(said.substr(said.find('\n') + 1)), 3) << said;
+  EXPECT_THAT(said, HasSubstr("# seed = 2"));
+}
+
+TEST_F(LiveDesk, WithoutFfmpegOneLineSaysWhatToInstall) {
+  open({"--paused"}, {"PATH=/nowhere"});
+  screen_.press("v");
+  EXPECT_THAT(await("refused "), HasSubstr("apt install ffmpeg"));
+}
+
 TEST_F(LiveDesk, FullScreenAndBack) {
   open({"--paused", "--size", "900x600"});
   const int help = widget("help").y;

@@ -149,7 +149,8 @@ TEST_F(Live, KeysWorkThePanelsOnlyWhenAskedTo) {
   EXPECT_EQ(await("step "), "1") << "an arrow steps";
   screen_.press("F6");
   settle();
-  screen_.press("Return");  // types into the first slider
+  screen_.press("Right");   // from the slider to its field
+  screen_.press("Return");  // types there
   await("text on");
   type("0.31");
   EXPECT_EQ(await("value ta "), "0.31");

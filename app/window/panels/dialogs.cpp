@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/io/text.h"
+#include "app/window/imgui_compat.h"
 
 namespace pupflow::window {
 namespace {
@@ -163,9 +164,8 @@ bool Dialogs::draw_list(const PanelInput& in, float height) {
   for (const FileList::Entry& entry : list_.entries) {
     const std::string label = entry.folder ? entry.name + "/" : entry.name;
     const bool is_it = entry.name == name_.data();
-    if (ImGui::Selectable(
-            label.c_str(), is_it,
-            ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
+    if (ImGui::Selectable(label.c_str(), is_it,
+                          ImGuiSelectableFlags_AllowDoubleClick | kKeepsPopups)) {
       problem_.clear();
       set_name(entry.name);
       const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);

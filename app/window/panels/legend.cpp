@@ -13,8 +13,7 @@ ImVec2 place(double x, double y) {
   return {static_cast<float>(x), static_cast<float>(y)};
 }
 
-void draw_label(ImDrawList& list, const ImFont& font, const view::ColorBar::Label& label,
-                ImU32 ink) {
+void draw_label(ImDrawList& list, ImFont& font, const view::ColorBar::Label& label, ImU32 ink) {
   const double x = aligned(font, label.x, label.text, label.size, label.align);
   const int first = list.VtxBuffer.Size;
   draw_line(list, font, x, label.y, label.text, label.size, ink);

@@ -26,8 +26,8 @@ struct Menu {
 constexpr std::array kMenus{
     Menu{kScene,
          {Action::open, Action::save, Action::save_as, Action::copy_command, Action::screenshot,
-          Action::quit},
-         6},
+          Action::record, Action::quit},
+         7},
     Menu{"Run",
          {Action::play_pause, Action::step, Action::step_many, Action::step_back,
           Action::step_back_many, Action::restart, Action::new_seed},
@@ -40,6 +40,12 @@ constexpr std::array kMenus{
          12},
     Menu{"Help", {Action::toggle_help}, 1},
 };
+
+bool has_effect(Action action, const Timeline& run) {
+  if (action == Action::undo) return run.can_undo;
+  if (action == Action::redo) return run.can_redo;
+  return true;
+}
 
 std::string capitalized(std::string text) {
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -115,6 +121,7 @@ void draw_overlays(const PanelInput& in, OverlayMenu& overlays) {
 
 /// What a step and a frame cost, left of what stands at the right end.
 void draw_rates(const PanelInput& in, float right) {
+  if (in.state.microseconds_per_step == 0) return;
   std::string text = io::formatted("%.0f \u00b5s a step", in.state.microseconds_per_step);
   if (in.frames_per_second > 0) text += io::formatted(", %.0f frames/s", in.frames_per_second);
   const float x = right - ImGui::CalcTextSize(text.c_str()).x - 2 * ImGui::GetFontSize();
@@ -123,10 +130,12 @@ void draw_rates(const PanelInput& in, float right) {
   ImGui::TextDisabled("%s", text.c_str());
 }
 
+constexpr const char* kHidePanels = "Hide panels";
+
 /// At the right end, in every layout: what H does.
 void draw_panels_button(const PanelInput& in) {
   const bool shown = in.controls.narrow ? in.controls.drawer : in.controls.panels;
-  const char* label = shown ? "Hide panels" : "Panels";
+  const char* label = shown ? kHidePanels : "Panels";
   const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
   const float x = ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x;
   draw_rates(in, x);
@@ -136,10 +145,7 @@ void draw_panels_button(const PanelInput& in) {
   in.tips.show("Hide or show the panels (H)");
 }
 
-}  // namespace
-
-void draw_menu(const PanelInput& in, OverlayMenu& overlays) {
-  if (!ImGui::BeginMainMenuBar()) return;
+void draw_menus(const PanelInput& in, OverlayMenu& overlays) {
   for (const Menu& menu : kMenus) {
     const bool open = ImGui::BeginMenu(menu.title);
     in.events.widget(std::string("menu-") + menu.title);
@@ -151,7 +157,8 @@ void draw_menu(const PanelInput& in, OverlayMenu& overlays) {
     }
     for (std::size_t i = 0; i < menu.count; ++i) {
       const KeyRow& row = key_row(menu.actions[i]);
-      if (ImGui::MenuItem(capitalized(row.doc).c_str(), row.text)) {
+      const bool can = has_effect(row.action, in.state.timeline);
+      if (ImGui::MenuItem(capitalized(row.doc).c_str(), row.text, false, can)) {
         in.controls.actions.push_back(row.action);
       }
       in.events.widget(word(row.text));
@@ -162,6 +169,32 @@ void draw_menu(const PanelInput& in, OverlayMenu& overlays) {
       in.events.widget("pause_minimised");
     }
     ImGui::EndMenu();
+  }
+}
+
+/// Whether the menus stand beside each other in the bar, the button for the panels behind them.
+bool menus_fit() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float width = ImGui::CalcTextSize(kHidePanels).x + 4 * style.ItemSpacing.x;
+  for (const Menu& menu : kMenus) {
+    width += ImGui::CalcTextSize(menu.title).x + 2 * style.ItemSpacing.x;
+  }
+  return width <= ImGui::GetWindowWidth();
+}
+
+}  // namespace
+
+void draw_menu(const PanelInput& in, OverlayMenu& overlays) {
+  if (!ImGui::BeginMainMenuBar()) return;
+  if (menus_fit()) {
+    draw_menus(in, overlays);
+  } else {
+    const bool open = ImGui::BeginMenu("Menu");
+    in.events.widget("menu");
+    if (open) {
+      draw_menus(in, overlays);
+      ImGui::EndMenu();
+    }
   }
   draw_panels_button(in);
   ImGui::EndMainMenuBar();

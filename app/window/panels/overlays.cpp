@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "app/window/imgui_compat.h"
+
 namespace pupflow::window {
 namespace {
 
@@ -59,7 +61,7 @@ void draw_bad_status(const Area& arena, const PanelInput& in) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, kBadPanel);
   ImGui::PushStyleColor(ImGuiCol_Border, kBad);
   ImGui::Begin("bad status", nullptr, kFloating);
-  ImGui::PushFont(in.fonts.title);
+  push_font(in.fonts.title);
   ImGui::PushStyleColor(ImGuiCol_Text, kBad);
   ImGui::TextUnformatted("The numbers went wrong");
   ImGui::PopStyleColor();

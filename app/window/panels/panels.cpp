@@ -16,7 +16,8 @@ constexpr ImGuiWindowFlags kPanel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-constexpr const char *kLeft = "left", *kRight = "right", *kTransport = "transport";
+constexpr const char *kLeft = "left", *kRight = "right", *kTransport = "transport",
+                     *kMenu = "##MainMenuBar";  // Dear ImGui's name
 
 void begin_panel(const char* name, const Area& area) {
   ImGui::SetNextWindowPos(area.corner);
@@ -50,7 +51,7 @@ void draw_problem(const PanelInput& in) {
 }  // namespace
 
 std::span<const char* const> Panels::names() {
-  static constexpr std::array kNames{kLeft, kRight, kTransport};
+  static constexpr std::array kNames{kLeft, kRight, kTransport, kMenu};
   return kNames;
 }
 

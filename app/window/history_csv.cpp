@@ -1,7 +1,7 @@
 #include "app/window/history_csv.h"
 
-#include <charconv>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 #include "app/io/atomic_file.h"
@@ -37,7 +37,8 @@ std::string history_csv(const LitterState& state, StepRange steps) {
   std::vector<std::string> cells = io::metrics_columns();
   for (const Column& column : kColumns) cells.emplace_back(column.name);
   text += io::joined(cells, ",") + '\n';
-  for (const History::Entry& entry : state.history.between(steps.first, steps.last)) {
+  constexpr std::int64_t kFinest = std::numeric_limits<std::int64_t>::max();
+  for (const History::Entry& entry : state.history.between(steps.first, steps.last, kFinest)) {
     const History::Sample& sample = *entry.sample;
     if (sample.last < steps.first || sample.first > steps.last) continue;
     cells = io::metrics_cells(sample.last, sample.time, sample.mean);

@@ -9,7 +9,7 @@
 namespace pupflow::window {
 
 /// The samples of these steps as a CSV file of the program: the header that every one
-/// has, then a row a sample. Where the history has single steps, step, time and observables are
+/// has, then a row for each of the finest samples that are kept. Where the history has single steps, step, time and observables are
 /// those of the metrics CSV; where a sample stands for several, means.
 std::string history_csv(const LitterState& state, StepRange steps);
 

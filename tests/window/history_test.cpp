@@ -108,6 +108,10 @@ TEST(History, ALongRunIsCoveredAtEveryScaleWithinBounds) {
     EXPECT_GE(entries.size(), std::min<std::size_t>(steps, History::kSamples / History::kMerged));
     EXPECT_LE(entries.size(), History::kSamples + 2u * History::kMerged * History::kLevels);
   }
+  const auto finest = run.history.between(1, kLast, kLast);
+  expect_covered(finest, 1, kLast);
+  EXPECT_EQ(finest.back().sample->steps, 1);
+  EXPECT_GT(finest.front().sample->steps, 1);
   // Long ago only coarse samples are left, and still nothing is missing.
   expect_covered(run.history.between(1000, 2000), 1000, 2000);
 }

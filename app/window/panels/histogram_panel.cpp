@@ -36,7 +36,8 @@ Histogram tb_histogram(std::span<const double> tb, double tp, double ta) {
   Range range{tp, tp};
   widen(range, ta);
   for (const double value : tb) widen(range, value);
-  range = rounded(range, kTicks);
+  const double edge = 0.02 * (range.high - range.low);  // lines on the frame would not be seen
+  range = rounded({range.low - edge, range.high + edge}, kTicks);
   const double spacing = view::tick_spacing(range.low, range.high, kTicks);
   const int bins = static_cast<int>((range.high - range.low) / spacing + 0.5) * kBinsPerTick;
   return histogram(tb, range, std::max(bins, 1));

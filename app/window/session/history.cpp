@@ -194,9 +194,11 @@ History::Entry History::entry(const Level& level, std::size_t i) const {
   return found;
 }
 
-std::vector<History::Entry> History::between(std::int64_t first, std::int64_t last) const {
+std::vector<History::Entry> History::between(std::int64_t first, std::int64_t last,
+                                             std::int64_t most) const {
+  const std::int64_t known = std::min(last, last_) - std::max(first, first_);
   std::size_t finest = 0;
-  while (finest + 1 < kLevels && (last - first) / width(finest) >= kSamples) ++finest;
+  while (finest + 1 < kLevels && known / width(finest) >= most) ++finest;
   std::vector<Entry> entries;
   // From the end: this level, then coarser ones before it begins.
   for (std::size_t k = finest; k < kLevels; ++k) {
@@ -210,10 +212,10 @@ std::vector<History::Entry> History::between(std::int64_t first, std::int64_t la
   std::reverse(entries.begin(), entries.end());
   // The newest steps have not filled a sample of this level.
   for (std::size_t k = finest; k-- > 0;) {
-    const std::int64_t known = entries.empty() ? first_ - 1 : entries.back().sample->last;
-    if (known >= last) break;
-    for (std::size_t i = levels_[k].first_after(known); i < levels_[k].size; ++i) {
-      if (levels_[k].at(i).first <= known) continue;
+    const std::int64_t end = entries.empty() ? first_ - 1 : entries.back().sample->last;
+    if (end >= last) break;
+    for (std::size_t i = levels_[k].first_after(end); i < levels_[k].size; ++i) {
+      if (levels_[k].at(i).first <= end) continue;
       entries.push_back(entry(levels_[k], i));
       if (entries.back().sample->last > last) break;
     }

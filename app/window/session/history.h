@@ -57,9 +57,10 @@ class History {
   std::int64_t first() const { return first_; }  // step; meaningless when empty
   std::int64_t last() const { return last_; }
 
-  /// The finest samples that cover these steps in at most kSamples of a level, oldest first, and the
+  /// The finest samples that cover these steps, `most` of a level or fewer, oldest first, and the
   /// neighbours just outside. Where a level begins too late, a coarser one stands in.
-  std::vector<Entry> between(std::int64_t first, std::int64_t last) const;
+  std::vector<Entry> between(std::int64_t first, std::int64_t last,
+                             std::int64_t most = kSamples) const;
 
   /// Whether T_b of each pup is kept for litters of that size.
   static bool keeps_tb(int pups) { return tb_pages(pups) >= 2; }

@@ -24,6 +24,7 @@ namespace pupflow::window {
 ///   text on|off           whether a text field has the keyboard
 ///   help shown|hidden, camera AZIMUTH ELEVATION DISTANCE, screenshot PATH
 ///   samples N             the arena has N x N samples a pixel, when N changes
+///   plots-span SPAN, plots-smooth TIME  what was chosen for the plots
 ///   pointed TIME|nowhere  where on the plots' common time axis the mouse is
 ///   saved PATH            a file was written
 ///   frames N              the window is closed after drawing N frames

@@ -47,6 +47,7 @@ void draw_choice(const char* id, float width, std::span<const PlotSpan> choices,
   const bool open = ImGui::BeginCombo(("##" + std::string(id)).c_str(), choices[chosen].text,
                                       ImGuiComboFlags_HeightLargest);
   events.widget(id);
+  events.note(id, choices[chosen].text);
   if (!open) return;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (ImGui::Selectable(choices[i].text, i == chosen)) chosen = i;

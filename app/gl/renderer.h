@@ -13,11 +13,6 @@
 
 namespace pupflow::gl {
 
-/// Part of a framebuffer in pixels, from its lower left corner.
-struct Viewport {
-  int x = 0, y = 0, width = 0, height = 0;
-};
-
 /// Edge of what is drawn at once where a pixel has many samples; samples.
 constexpr int kLargestPart = 2048;
 

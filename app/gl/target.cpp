@@ -50,11 +50,11 @@ void Target::bind() const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
 }
 
-void Target::copy_to(GLuint framebuffer, int x, int y) const {
+void Target::copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  glBlitFramebuffer(0, 0, width_, height_, x, y, x + width_, y + height_, GL_COLOR_BUFFER_BIT,
-                    GL_NEAREST);
+  glBlitFramebuffer(part.x, part.y, part.x + part.width, part.y + part.height, x, y, x + part.width,
+                    y + part.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 io::Image Target::read() const {

@@ -6,6 +6,11 @@
 
 namespace pupflow::gl {
 
+/// Part of a framebuffer in pixels, from its lower left corner.
+struct Viewport {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
 class Target {
  public:
   /// Throws Failure(bad_input) when the driver allows no target of this size in pixels.
@@ -23,9 +28,9 @@ class Target {
   /// Binds it for drawing.
   void bind() const;
 
-  /// Copies its colors, pixel by pixel, to (x, y) (lower left) of `framebuffer`, which stays bound
-  /// for drawing.
-  void copy_to(GLuint framebuffer, int x, int y) const;
+  /// Copies the colors of `part`, pixel by pixel, to (x, y) (lower left) of `framebuffer`, which stays
+  /// bound for drawing.
+  void copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const;
 
   /// Its colors as a picture.
   io::Image read() const;

@@ -53,6 +53,23 @@ std::int64_t Controls::shown_step(const LiveState& state) const {
   return going_to.value_or(state.view().step);
 }
 
+void Controls::select(std::optional<int> pup) {
+  selected = pup;
+  if (!pup) camera_mode = CameraMode::free;
+}
+
+void Controls::show(int pup) {
+  select(pup);
+  camera_mode = CameraMode::follow;
+}
+
+void Controls::watch() {
+  const PartSet parts = look.overlays.parts() | inspected.parts;
+  if (parts == watched.parts && inspected.velocities == watched.velocities) return;
+  watched = {parts, inspected.velocities};
+  commands.push_back(watched);
+}
+
 void Controls::color_by(const LitterField& field) {
   look.scale = view::ColorScale(field);
   look.scale.follow_data();

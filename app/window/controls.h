@@ -34,10 +34,16 @@ struct Controls {
   pictures::Look look;
   std::optional<int> selected;                // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
-  bool panels = true;                         // beside the arena
-  bool drawer = false;                        // the panel over the arena, in a window that is
-  bool narrow = false;                        // too narrow for panels beside it
+  Watch inspected;      // what the inspector shows; nothing while it is closed
+  Watch watched;        // what the runner was asked to record
+  bool panels = true;   // beside the arena
+  bool drawer = false;  // the panel over the arena, in a window that is
+  bool narrow = false;  // too narrow for panels beside it
   bool help = false;
+  std::optional<double> filmed;          // seconds of the film so far, while there is one
+  std::vector<std::string> recent;       // files, the last one first
+  std::string open;                      // a shipped scene or a file to open now; empty: none
+  bool pause_minimised = false;          // a minimised window takes no steps
   std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
   std::string problem;                   // why the last value was not taken; empty when it was
   std::string problem_at;                // the parameter or field that it is about
@@ -67,6 +73,15 @@ struct Controls {
 
   /// The step that is shown, or that was asked for and is still to come.
   std::int64_t shown_step(const LiveState& state) const;
+
+  /// Selects another pup, or none; none ends its camera.
+  void select(std::optional<int> pup);
+
+  /// Selects a pup and brings it into the middle of the arena.
+  void show(int pup);
+
+  /// Has steps record what the overlays and the inspector show, when that has changed.
+  void watch();
 
   /// Shows another field in colors, with the usual color map and range of its kind.
   void color_by(const LitterField& field);

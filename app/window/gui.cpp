@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/window/imgui_compat.h"
+
 namespace pupflow::window {
 
 Gui::Gui(const context::GlfwWindow& window, double ui_scale, Theme theme)
@@ -45,7 +47,7 @@ void Gui::follow_scale() {
   scale_ = scale;
   density_ = density;
   fonts_ = load_fonts(scale, density);
-  ImGui_ImplOpenGL3_DestroyFontsTexture();  // the next frame makes it anew
+  remake_font_texture();
 }
 
 void Gui::begin_frame() {

@@ -34,9 +34,13 @@ void LiveWindow::install_callbacks() {
   glfwSetCursorPosCallback(handle, event);
   glfwSetCursorEnterCallback(handle, event);
   glfwSetWindowFocusCallback(handle, event);
-  glfwSetWindowRefreshCallback(handle, event);
+  glfwSetWindowRefreshCallback(handle, [](GLFWwindow* w) {
+    window_of(w).painter_.forget();
+    window_of(w).schedule_.event();
+  });
   glfwSetFramebufferSizeCallback(handle, event);
   glfwSetWindowContentScaleCallback(handle, event);
+  install_desk_callbacks();
 }
 
 void LiveWindow::install_key_callback() {
@@ -56,6 +60,11 @@ bool LiveWindow::text_has_keyboard() {
 }
 
 void LiveWindow::key(int code, int mods, bool repeated) {
+  if (dialogs_.shown()) {
+    if (code == GLFW_KEY_ESCAPE) dialogs_.cancel();
+    if (code == GLFW_KEY_ENTER || code == GLFW_KEY_KP_ENTER) dialogs_.accept();
+    return;
+  }
   if (text_has_keyboard() || panels_take(code)) return;
   if (const auto action = action_for(code, mods, repeated)) controls_.actions.push_back(*action);
 }
@@ -71,11 +80,15 @@ void LiveWindow::move_camera(const Area& arena, double now) {
   const bool pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
                        ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
                        ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
-  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left) && !pulled_;
   const bool other =
       ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
   if ((dx != 0 || dy != 0) && !pressed) {
-    if (other || (left && io.KeyShift)) {
+    const bool moves = other || (left && io.KeyShift);
+    const bool eye = controls_.camera_mode == CameraMode::eye;
+    if ((moves || left) && (eye || moves)) controls_.camera_mode = CameraMode::free;
+    if (eye) return;
+    if (moves) {
       arena_.pan(dx, -dy);
       schedule_.view_moved(now);
     } else if (left) {
@@ -84,7 +97,9 @@ void LiveWindow::move_camera(const Area& arena, double now) {
     }
   }
   if (io.MouseWheel != 0 && arena.holds(io.MousePos)) {
-    arena_.zoom(std::pow(kZoomPerNotch, io.MouseWheel));
+    const ImVec2 middle = arena.middle();
+    arena_.zoom_at(std::pow(kZoomPerNotch, io.MouseWheel), share(io.MousePos.x - middle.x),
+                   share(middle.y - io.MousePos.y));
     schedule_.view_moved(now);
   }
 }
@@ -93,11 +108,16 @@ void LiveWindow::carry_out(double now) {
   for (const Action action : std::exchange(controls_.actions, {})) perform(action, now);
   if (const auto steps = std::exchange(controls_.save_csv, {})) save_csv(*steps);
   if (!controls_.message.empty()) show(std::exchange(controls_.message, {}));
-  for (Command& command : std::exchange(controls_.commands, {})) runner_.send(std::move(command));
+  for (Command& command : std::exchange(controls_.commands, {})) {
+    film_follows(command);
+    runner_.send(std::move(command));
+  }
 }
 
 void LiveWindow::perform(Action action, double now) {
   const auto look_from = [&](const char* spec) {
+    if (controls_.camera_mode == CameraMode::eye) controls_.camera_mode = CameraMode::free;
+    guide_ = {};
     arena_.look_from(view::Camera::parse(spec));
     schedule_.view_moved(now);
   };
@@ -106,6 +126,7 @@ void LiveWindow::perform(Action action, double now) {
     controls_.go_to(controls_.shown_step(shown) + steps, shown.timeline);
   };
   schedule_.panels_changed();  // the next frame shows the result
+  if (film_takes(action)) return;
   switch (action) {
     case Action::play_pause:
       controls_.commands.push_back(PlayPause{});
@@ -164,6 +185,12 @@ void LiveWindow::perform(Action action, double now) {
     case Action::side_view:
       look_from("side");
       break;
+    case Action::next_pup:
+    case Action::previous_pup:
+    case Action::follow_pup:
+    case Action::pups_eye:
+      perform_on_pup(action);
+      break;
     case Action::screenshot:
       take_picture();
       break;
@@ -181,7 +208,10 @@ void LiveWindow::perform(Action action, double now) {
       close_front();
       break;
     case Action::quit:
-      glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+      quit();
+      break;
+    default:
+      desk_action(action);
       break;
   }
 }

@@ -1,6 +1,5 @@
 #include "app/window/live_window.h"
 
-#include <GL/glew.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -11,7 +10,6 @@
 #include "app/gl/load.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
-#include "app/window/panels/legend.h"
 #include "app/window/panels/overlays.h"
 
 namespace pupflow::window {
@@ -23,18 +21,12 @@ bool drawn_by_processor() {
          name.find("SwiftShader") != std::string::npos;
 }
 
-void clear(const view::Rgb& color) {
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glClearColor(static_cast<float>(color.r) / 255, static_cast<float>(color.g) / 255,
-               static_cast<float>(color.b) / 255, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-}
-
 }  // namespace
 
-LiveWindow::LiveWindow(const LiveJob& job)
+LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
+      painter_(window_, drawn_by_processor()),
       arena_(job.look),
       events_(job.test_events),
       runner_({.params = job.params,
@@ -43,13 +35,21 @@ LiveWindow::LiveWindow(const LiveJob& job)
                .threads = job.threads,
                .hashed = true,  // a picture carries it
                .notify = [] { glfwPostEmptyEvent(); }}),
-      schedule_(drawn_by_processor()) {
+      schedule_(drawn_by_processor()),
+      desk_({job.opened, job.params, job.from ? job.from->edited : std::nullopt}),
+      settings_(settings),
+      written_(settings) {
   picture_path(job.screenshot, 0);  // a bad pattern fails now, not with the first screenshot
   controls_.params = controls_.seen = controls_.scene = job.params;
   controls_.look = job.look;
+  controls_.panels = settings.panels;
+  controls_.pause_minimised = settings.pause_minimised;
+  controls_.recent = settings.recent;
+  seen_ = present();
+  seen_field_ = job.look.scale.field;
   runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();
-  gui_ = std::make_unique<Gui>(window_, job.ui_scale, Theme::light);
+  gui_ = std::make_unique<Gui>(window_, job.ui_scale, settings.theme);
   install_key_callback();
   glfwSwapInterval(1);
   if (job.look.verbose) {
@@ -67,6 +67,8 @@ void LiveWindow::run() {
     exchange_snapshots(now);
     if (schedule_.frame_due(now)) frame(now);
   }
+  end_film();
+  keep_settings();
   events_.closed();
 }
 
@@ -91,7 +93,8 @@ void LiveWindow::follow_visibility() {
                        glfwGetWindowAttrib(window_.handle(), GLFW_ICONIFIED) == GLFW_FALSE;
   if (visible == schedule_.visible()) return;
   schedule_.set_visible(visible);
-  runner_.send(Suspend{!visible});
+  events_.visible(visible);
+  runner_.send(Suspend{!visible && controls_.pause_minimised});
 }
 
 void LiveWindow::exchange_snapshots(double now) {
@@ -102,6 +105,7 @@ void LiveWindow::exchange_snapshots(double now) {
     const LitterView litter = snapshot.view();
     if (!snapshot.rejected.empty()) controls_.params = litter.params;
     controls_.follow(snapshot);
+    film_snapshot();
   }
   if (!schedule_.wants_snapshot(now)) return;
   runner_.request();
@@ -119,17 +123,24 @@ void LiveWindow::frame(double now) {
   tips_.begin_frame(layout, now);
   panels_.draw(layout, input);
   fit_scale();
-  if (layout.bar.size.x > 0)
-    draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
+  legend_.draw(layout.bar, scale_, input);
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
+  events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
+  events_.area("arena", layout.arena);
+  point_at_pups(layout.arena);
+  events_.problem(controls_.problem_at, controls_.problem);
   move_camera(layout.arena, now);
+  desk_frame(input);
+  lead_camera(now);
+  controls_.watch();
+  const DrawnArena drawn = draw_arena(layout);
   gui_->end_frame();
 
   carry_out(now);
-  paint(layout);
+  paint(drawn);
   schedule_.end_frame();
 }
 
@@ -157,26 +168,35 @@ void LiveWindow::fit_scale() {
   scale_time_ = litter.time;
 }
 
-void LiveWindow::paint(const Layout& layout) {
+/// Into a store of its own; and what is painted over it, into the panels' list.
+LiveWindow::DrawnArena LiveWindow::draw_arena(const Layout& layout) {
   const auto pixels = [&](float length) {
     return static_cast<int>(std::lround(length * gui_->density()));
   };
   int width = 0, height = 0;
   glfwGetFramebufferSize(window_.handle(), &width, &height);
-  const int x = pixels(layout.arena.corner.x), top = pixels(layout.arena.corner.y);
-  const int arena_width = std::min(pixels(layout.arena.size.x), width - x);
-  const int arena_height = std::min(pixels(layout.arena.size.y), height - top);
+  PixelBox place{pixels(layout.arena.corner.x), pixels(layout.arena.corner.y),
+                 pixels(layout.arena.corner.x + layout.arena.size.x),
+                 pixels(layout.arena.corner.y + layout.arena.size.y)};
+  place.right = std::max(std::min(place.right, width), place.left + 1);
+  place.bottom = std::max(std::min(place.bottom, height), place.top + 1);
   const int samples = schedule_.samples(controls_.look.samples());
-  arena_.draw(runner_.snapshot(), schedule_.fresh(), scale_, std::max(arena_width, 1),
-              std::max(arena_height, 1), samples);
-  clear(gl::Palette{}.background);
-  arena_.show(x, height - top - arena_height);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, width, height);
-  gui_->draw();
-  glfwSwapBuffers(window_.handle());
+  const LiveState& snapshot = runner_.snapshot();
+  arena_.set_look(controls_.look);
+  const bool anew =
+      arena_.draw(snapshot, schedule_.fresh(), scale_, place.width(), place.height(), samples);
+  const LitterView litter = snapshot.view();
+  marks_.paint(*ImGui::GetBackgroundDrawList(),
+               {litter, scale_, arena_.camera(), arena_.bodies(), layout.arena}, schedule_.fresh(),
+               controls_.look, selection_marks());
+  return {place, anew, samples};
+}
+
+void LiveWindow::paint(const DrawnArena& drawn) {
+  const Painter::Image arena{&arena_.store(), drawn.place};
+  painter_.paint(*gui_, {&arena, 1}, drawn.anew, gl::Palette{}.background);
   events_.camera(arena_.camera());
-  events_.frame(samples);
+  events_.frame(drawn.samples);
 }
 
 }  // namespace pupflow::window

@@ -32,7 +32,7 @@ void leave_panels() {
   ImGui::FocusWindow(nullptr);
 }
 
-const char* work_next_panel(std::span<const char* const> panels) {
+void work_next_panel(std::span<const char* const> panels) {
   auto next = panels.begin();
   if (keys_work_panels() && GImGui->NavWindow != nullptr) {
     const auto present = std::find(panels.begin(), panels.end(),
@@ -40,12 +40,15 @@ const char* work_next_panel(std::span<const char* const> panels) {
     if (present != panels.end() && present + 1 != panels.end()) next = present + 1;
   }
   ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-  if (ImGuiWindow* const window = ImGui::FindWindowByName(*next)) {
+  if (ImGuiWindow* window = ImGui::FindWindowByName(*next)) {
+    const auto& parts = window->DC.ChildWindows;  // its widgets stand in the first one, if any
+    if (parts.Size > 0) window = parts[0];
     ImGui::FocusWindow(window);
+    const bool menu = (window->Flags & ImGuiWindowFlags_MenuBar) != 0;
+    GImGui->NavLayer = menu ? ImGuiNavLayer_Menu : ImGuiNavLayer_Main;
     ImGui::NavInitWindow(window, true);
     GImGui->NavDisableHighlight = false;
   }
-  return *next;
 }
 
 bool panels_take(int key) {

@@ -7,8 +7,8 @@
 namespace pupflow::window {
 
 /// Has keys work the panels from now on, those of the next of `panels` (names of Dear ImGui
-/// windows) after the one that has them. Returns its name.
-const char* work_next_panel(std::span<const char* const> panels);
+/// windows) after the one that has them.
+void work_next_panel(std::span<const char* const> panels);
 
 /// Gives the keys back to the key table.
 void leave_panels();

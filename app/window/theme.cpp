@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/view/font.h"
+#include "app/window/imgui_compat.h"
 
 namespace pupflow::window {
 namespace {
@@ -117,7 +118,7 @@ void set_colors(Theme theme, ImGuiStyle& style) {
                                                {ImGuiCol_HeaderHovered, of.header_hovered},
                                                {ImGuiCol_HeaderActive, of.header_active},
                                                {ImGuiCol_Separator, of.line},
-                                               {ImGuiCol_NavHighlight, of.accent}};
+                                               {kCursorColor, of.accent}};
   for (const auto& [place, packed] : places) style.Colors[place] = color(packed);
   style.Colors[ImGuiCol_TextSelectedBg] = color(of.accent, 0.3f);
 }
@@ -132,7 +133,7 @@ Fonts load_fonts(float scale, float density) {
   fonts.text = add_font(kTextSize * pixels);
   fonts.small = add_font(kSmallSize * pixels);
   fonts.title = add_font(kTitleSize * pixels);
-  io.FontGlobalScale = 1 / density;
+  set_font_scale(1 / density);
   return fonts;
 }
 
@@ -162,16 +163,18 @@ void apply_theme(Theme theme, float scale) {
   style.GrabMinSize = 11;
   style.WindowBorderSize = 1;
   style.ScaleAllSizes(scale);
+  const float fonts = font_scale();  // in later versions part of the style
   ImGui::GetStyle() = style;
+  set_font_scale(fonts);
 }
 
 float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
                      std::string_view text) {
-  const float ratio = ImGui::GetIO().FontGlobalScale;
-  const float drop = 0.32f * fonts.text->FontSize * ratio;
+  const float ratio = font_scale();
+  const float drop = 0.32f * pixel_size(*fonts.text) * ratio;
   float x = place.x;
   const auto draw = [&](ImFont* font, float y, std::string_view part) {
-    const float size = font->FontSize * ratio;
+    const float size = pixel_size(*font) * ratio;
     list.AddText(font, size, {x, y}, color, part.data(), part.data() + part.size());
     x += font->CalcTextSizeA(size, FLT_MAX, 0, part.data(), part.data() + part.size()).x;
   };

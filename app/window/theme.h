@@ -3,8 +3,9 @@
 
 #include <imgui.h>
 
-#include <array>
 #include <string_view>
+
+#include "app/window/theme_choice.h"
 
 namespace pupflow::window {
 
@@ -19,9 +20,6 @@ struct Fonts {
 /// coordinates; `density` is framebuffer pixels per window coordinate. The atlas' texture must be
 /// made anew afterwards.
 Fonts load_fonts(float scale, float density);
-
-enum class Theme { light, dark };
-constexpr std::array<std::string_view, 2> kThemeNames{"light", "dark"};
 
 /// The colors of a theme.
 struct Palette {

@@ -264,5 +264,40 @@ TEST(Session, SaysWhetherThereIsAnythingNew) {
   EXPECT_TRUE(session.changed());
 }
 
+TEST(Session, OpenTakesAnotherRecipeWithItsSchedule) {
+  Session session(Params{}, false);
+  session.step();
+  Params other;
+  other.pups = 3;
+  other.seed = 8;
+  other.schedule.set(2, static_cast<std::size_t>(find_parameter("ta") - parameters().data()), 0.1);
+  session.apply(Open{other, {}});
+  LiveState state;
+  for (int i = 0; i < 5; ++i) session.step();
+  session.fill(state, true);
+  Simulation simulation(other);
+  simulation.run(5);
+  EXPECT_EQ(state.hash, simulation.hash());
+  EXPECT_EQ(state.view().recipe, other);
+  session.apply(Restart{});
+  session.fill(state, true);
+  EXPECT_EQ(state.view().recipe, other) << "a restart keeps the schedule";
+}
+
+TEST(Session, OpenGoesOnFromASnapshot) {
+  Params params;
+  params.seed = 4;
+  Simulation simulation(params);
+  simulation.run(20);
+  Session session(Params{}, false);
+  session.apply(Open{params, simulation.snapshot()});
+  simulation.run(5);
+  for (int i = 0; i < 5; ++i) session.step();
+  LiveState state;
+  session.fill(state, true);
+  EXPECT_EQ(state.view().step, 25);
+  EXPECT_EQ(state.hash, simulation.hash());
+}
+
 }  // namespace
 }  // namespace pupflow::window

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/window/imgui_compat.h"
+
 namespace pupflow::window {
 namespace {
 
@@ -36,7 +38,7 @@ Widths unwrapped() {
 }
 
 void heading(const char* text, const PanelInput& in) {
-  ImGui::PushFont(in.fonts.title);
+  push_font(in.fonts.title);
   ImGui::TextUnformatted(text);
   ImGui::PopFont();
 }
@@ -64,7 +66,7 @@ float height_of_tables(const Widths& widths, const PanelInput& in) {
   const ImGuiStyle& style = ImGui::GetStyle();
   float height = 0;
   for_each_table([&](const char*, const auto& rows) {
-    height += in.fonts.title->FontSize * ImGui::GetIO().FontGlobalScale + 2 * style.ItemSpacing.y;
+    height += pixel_size(*in.fonts.title) * font_scale() + 2 * style.ItemSpacing.y;
     for (const auto& row : rows) {
       const float keys = ImGui::CalcTextSize(row.text, nullptr, false, widths.keys).y;
       const float doc = ImGui::CalcTextSize(row.doc, nullptr, false, widths.doc).y;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/window/panels/legend.h"
+#include "app/window/panels/legend_plan.h"
 
 namespace pupflow::window {
 namespace {

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "app/window/panels/help.h"
-#include "app/window/panels/look_panel.h"
 #include "app/window/panels/menu.h"
 #include "app/window/panels/overlays.h"
 
@@ -17,7 +16,8 @@ constexpr ImGuiWindowFlags kPanel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-constexpr const char *kLeft = "left", *kRight = "right", *kTransport = "transport";
+constexpr const char *kLeft = "left", *kRight = "right", *kTransport = "transport",
+                     *kMenu = "##MainMenuBar";  // Dear ImGui's name
 
 void begin_panel(const char* name, const Area& area) {
   ImGui::SetNextWindowPos(area.corner);
@@ -51,13 +51,14 @@ void draw_problem(const PanelInput& in) {
 }  // namespace
 
 std::span<const char* const> Panels::names() {
-  static constexpr std::array kNames{kLeft, kRight, kTransport};
+  static constexpr std::array kNames{kLeft, kRight, kTransport, kMenu};
   return kNames;
 }
 
 bool Panels::draw(const Layout& layout, const PanelInput& in) {
   bool observed = false;
   draw_menu(in);
+  in.controls.inspected = {};
   if (layout.left.size.x > 0) {
     begin_panel(kLeft, layout.left);
     constexpr int kProblemLines = 2;
@@ -65,8 +66,8 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
     parameters_.draw_top(in);
     parameters_.draw_groups(in);
     if (!layout.two_panels) {
+      inspector_.draw(in);
       observed = numbers_.draw(in);
-      draw_look_panel(in);
     }
     ImGui::EndChild();
     draw_problem(in);
@@ -74,15 +75,15 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
   }
   if (layout.two_panels) {
     begin_panel(kRight, layout.right);
+    inspector_.draw(in);
     observed = numbers_.draw(in);
-    draw_look_panel(in);
     ImGui::End();
   }
   begin_panel(kTransport, layout.transport);
   transport_.draw(in);
   transport_height_ = content_height();
   ImGui::End();
-  draw_warnings(layout.arena, in);
+  draw_notices(layout.arena, in);
   draw_bad_status(layout.arena, in);
   draw_help(in);
   return observed;

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "app/window/panels/inspector_panel.h"
 #include "app/window/panels/layout.h"
 #include "app/window/panels/numbers_panel.h"
 #include "app/window/panels/panel.h"
@@ -24,6 +25,7 @@ class Panels {
 
  private:
   ParameterPanel parameters_;
+  InspectorPanel inspector_;
   NumbersPanel numbers_;
   TransportPanel transport_;
   float transport_height_ = 0;

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/window/imgui_compat.h"
 #include "app/window/panels/resets.h"
 #include "app/window/typed_number.h"
 
@@ -210,7 +211,7 @@ void ParameterPanel::slide(const Parameter& parameter, float width, const PanelI
   const bool moved = slider(parameter, value) && !typing;
   in.events.widget(parameter.name);
   if (typing && ImGui::IsItemClicked()) entry_.focus(kField);
-  if (ImGui::IsItemFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter))) {
+  if (ImGui::IsItemFocused() && key_pressed(ImGuiKey_Enter)) {
     entry_.focus(kField);
   }
   if (moved) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/window/imgui_compat.h"
+
 namespace pupflow::window {
 namespace {
 
@@ -59,7 +61,7 @@ float plot_margin_below(const Fonts& fonts) {
 }
 
 ImVec2 small_text_size(const Fonts& fonts, const std::string& text) {
-  ImGui::PushFont(fonts.small);
+  push_font(fonts.small);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   ImGui::PopFont();
   return size;
@@ -67,7 +69,7 @@ ImVec2 small_text_size(const Fonts& fonts, const std::string& text) {
 
 void small_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
                 const std::string& text) {
-  ImGui::PushFont(fonts.small);
+  push_font(fonts.small);
   list.AddText(place, color, text.c_str());
   ImGui::PopFont();
 }

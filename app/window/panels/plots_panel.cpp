@@ -230,6 +230,7 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
   draw_title(in.fonts, row, corner, size.x, readings);
 
   const Area paper{{frame.left, corner.y + kTitleLines * em}, {frame.width, lines * em}};
+  constexpr int kRounding = 16;  // steps of the range, so that it moves now and then only
   const double least = std::pow(10, -row.digits);
   Range range{row.low, row.high};
   for (const auto* entries : {&frame.first, &frame.second}) {
@@ -237,7 +238,7 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
   }
   const Plot plot(
       in.fonts, paper,
-      {.x = frame.time, .y = rounded(range, 4, least), .x_labels = last, .y_least = least});
+      {.x = frame.time, .y = rounded(range, kRounding, least), .x_labels = last, .y_least = least});
   draw_curves(plot, frame, observable, in.state.second.has_value());
   std::int64_t drawn = -1;
   for (const Timeline::Mark& mark : in.state.timeline.marks) {

@@ -6,13 +6,14 @@
 #include <cmath>
 
 #include "app/io/text.h"
+#include "app/window/imgui_compat.h"
 #include "app/window/panels/strip_scale.h"
 
 namespace pupflow::window {
 namespace {
 
-constexpr float kTrackShare = 0.5f;  // of the height; the rest is the other future and the text
-constexpr float kReach = 0.35f;      // em; a mark is pointed at from so far
+constexpr float kTrack = 1.25f;  // em; below it are the other future and the text
+constexpr float kReach = 0.35f;  // em; a mark is pointed at from so far
 
 ImU32 faded(ImU32 color, float alpha) {
   ImVec4 value = ImGui::ColorConvertU32ToFloat4(color);
@@ -129,9 +130,8 @@ std::string pointed_text(const Strip& strip, float x) {
 }
 
 void small_text(const Strip& strip, float x, float y, ImU32 color, const std::string& text) {
-  const ImFont* font = strip.in.fonts.small;
-  strip.list.AddText(font, font->FontSize * ImGui::GetIO().FontGlobalScale, {x, y}, color,
-                     text.c_str());
+  ImFont* font = strip.in.fonts.small;
+  strip.list.AddText(font, pixel_size(*font) * font_scale(), {x, y}, color, text.c_str());
 }
 
 void draw_ticks(const Strip& strip, float y) {
@@ -170,12 +170,12 @@ void draw_timeline_strip(float height, const std::string& problem, const PanelIn
   const float inset = 0.45f * em;
   const Strip strip{strip_scale(in.state.timeline, corner.x + inset, width - 2 * inset),
                     corner,
-                    {corner.x + width, corner.y + kTrackShare * height},
+                    {corner.x + width, corner.y + kTrack * em},
                     em,
                     in,
                     *ImGui::GetWindowDrawList()};
   const float cursor_y = ImGui::GetCursorPosY();
-  ImGui::InvisibleButton("timeline", {width, kTrackShare * height + 0.3f * em});
+  ImGui::InvisibleButton("timeline", {width, (kTrack + 0.3f) * em});
   in.events.widget("timeline");
   const bool held = ImGui::IsItemActive(), pointed = ImGui::IsItemHovered();
   const float mouse = ImGui::GetIO().MousePos.x;

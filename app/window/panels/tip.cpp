@@ -54,6 +54,7 @@ std::optional<ImVec2> tip_place(const Area& item, ImVec2 size, std::span<const A
 void Tips::begin_frame(const Layout& layout, double now) {
   now_ = now;
   due_.reset();
+  shown_.reset();
   if (!seen_) item_.reset();
   seen_ = false;
   const Area lowest{{0, layout.transport.corner.y},
@@ -91,6 +92,7 @@ bool Tips::begin() {
   const bool measured = size_.x > 0;
   const auto place = tip_place(*item_, size_, areas_, 0.3f * em);
   if (measured && !place) return false;
+  if (measured) shown_ = Area{*place, size_};
   // Its size is known once it was submitted; until then it is out of sight.
   ImGui::SetNextWindowPos(measured ? *place : ImGui::GetIO().DisplaySize);
   ImGui::BeginTooltip();

@@ -28,6 +28,9 @@ class Tips {
   /// A tip of only text.
   void show(std::string_view text);
 
+  /// Where the tip of this frame is; nothing: there is none.
+  std::optional<Area> shown() const { return shown_; }
+
   /// When the next frame is needed for a tip, if nothing else happens before; nothing: never.
   std::optional<double> due() const { return due_; }
 
@@ -42,6 +45,7 @@ class Tips {
   bool open_ = false;
   double resting_since_ = 0;
   ImVec2 size_{0, 0};  // of the tip in the last frame; 0 before its first one
+  std::optional<Area> shown_;
   std::optional<double> due_;
 };
 

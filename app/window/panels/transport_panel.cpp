@@ -3,9 +3,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "app/io/text.h"
+#include "app/window/panels/record_button.h"
 #include "app/window/panels/timeline_strip.h"
 #include "app/window/typed_number.h"
 
@@ -64,7 +66,7 @@ std::int64_t new_seed() {
 void TransportPanel::draw(const PanelInput& in) {
   const float em = ImGui::GetFontSize(), gap = kTransportGap * em;
   const bool here = in.controls.problem_at == "speed" || in.controls.problem_at == "seed";
-  draw_timeline_strip(kStripHeight * em, here ? in.controls.problem : std::string(), in);
+  draw_timeline_strip(std::ceil(kStripHeight * em), here ? in.controls.problem : std::string(), in);
   const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
   const TransportPlan plan = plan_transport(width / em);
   int row = -1;
@@ -100,6 +102,9 @@ void TransportPanel::draw_part(TransportPart part, float width, const PanelInput
     case TransportPart::picture:
       button("Picture", "screenshot", "Save a picture with all parameters in it (S)",
              Action::screenshot, width, true, in);
+      break;
+    case TransportPart::record:
+      draw_record_button(width, in);
       break;
     case TransportPart::more:
       draw_more(width, in);

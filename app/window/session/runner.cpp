@@ -9,6 +9,10 @@ namespace {
 
 constexpr double kMeasureOver = 0.5;  // seconds over which the speed is measured
 
+// Seconds between two snapshots while the litter steps as fast as it can. A frame takes time from
+// the steps, where the processor draws, and nobody could follow more of them.
+constexpr double kFastInterval = 1.0 / 30;
+
 using Clock = std::chrono::steady_clock;
 
 double seconds() {
@@ -140,11 +144,15 @@ void Runner::measure(double now) {
 
 void Runner::publish() {
   if (!session_.changed()) return;
+  const double now = seconds();
+  const bool fast = session_.running() && std::isinf(session_.speed());
+  if (fast && now < published_ + kFastInterval) return;
   {
     const std::lock_guard lock(mutex_);
     if (!requested_) return;
     requested_ = false;
   }
+  published_ = now;
   session_.fill(*back_, options_.hashed);
   back_->steps_per_second = steps_per_second_;
   back_->microseconds_per_step = microseconds_per_step_;

@@ -62,6 +62,7 @@ class Runner {
   Session session_;
   Pacer pacer_;
   double measured_from_ = 0, stepping_ = 0;
+  double published_ = 0;  // when the last snapshot was handed out
   double steps_per_second_ = 0, microseconds_per_step_ = 0;
   int measured_steps_ = 0;
 

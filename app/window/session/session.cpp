@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -37,6 +39,7 @@ bool parted(const LitterView& a, const LitterView& b) {
 
 Session::Session(const Params& params, bool playing, int threads, std::optional<Snapshot> from)
     : first_(params, shared(std::move(from)), threads, {.parts = pup_fields().front().parts}),
+      threads_(threads),
       playing_(playing) {
   first_.keep_within(kKeyframeBytes);
 }
@@ -68,6 +71,8 @@ void Session::carry_out(const Command& command) {
           edit(asked);
         } else if constexpr (std::is_same_v<Asked, Restart>) {
           restart();
+        } else if constexpr (std::is_same_v<Asked, Open>) {
+          open(asked);
         } else if constexpr (std::is_same_v<Asked, Observe>) {
           observed_ = asked.on;
           record();
@@ -98,6 +103,27 @@ void Session::carry_out(const Command& command) {
         }
       },
       command);
+}
+
+/// The former run is gone, with all that could be gone back to.
+void Session::open(const Open& asked) {
+  rejected_.clear();
+  try {
+    Litter opened(asked.params, shared(asked.from), threads_, {.parts = {}});
+    stop();
+    first_ = std::move(opened);
+  } catch (const std::bad_alloc&) {
+    rejected_ = "not enough memory for that litter; the one before is still there";
+    return;
+  } catch (const std::invalid_argument& problem) {
+    rejected_ = problem.what();
+    return;
+  }
+  second_.reset();
+  differing_.clear();
+  log_ = {};
+  first_.keep_within(kKeyframeBytes);
+  record();
 }
 
 /// Has the steps to come record what is shown; at rest the last one is taken again for it.

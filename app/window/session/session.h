@@ -39,7 +39,11 @@ struct Edit {  // a whole parameter set; a new litter when one that defines it d
   bool continues = false;  // the same drag of a slider goes on: one undo takes all of it back
 };
 struct Restart {};  // the same litter from t = 0
-struct Observe {    // whether the observables are shown
+struct Open {       // another recipe, from the start or as that snapshot of it is
+  Params params;
+  std::optional<Snapshot> from;
+};
+struct Observe {  // whether the observables are shown
   bool on;
 };
 struct ColorBy {  // the field of a pup or an afferent that is shown as color
@@ -49,7 +53,7 @@ struct Watch {  // what a step must record beside: for overlays, inspector, plot
   PartSet parts;
   bool velocities = false;
 };
-struct Suspend {  // the window is hidden: no steps until further notice
+struct Suspend {  // no steps until further notice
   bool on;
 };
 struct GoTo {  // pause at that step of the run, in exactly the state that it had
@@ -72,8 +76,8 @@ struct Compare {               // step a second litter beside this one; none: on
   std::optional<Params> with;  // what differs from the present parameters differs in it
   bool from_now = false;       // it begins as this litter is now; otherwise both begin anew
 };
-using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Observe, ColorBy, Watch,
-                             Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare>;
+using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Open, Observe, ColorBy,
+                             Watch, Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare>;
 
 /// One litter as the window shows it.
 struct LitterState {
@@ -145,6 +149,7 @@ class Session {
   bool ok() const { return first_.ok() && (!second_ || second_->ok()); }
   std::vector<Litter*> litters();
   void record();
+  void open(const Open& asked);
   void stop();
   void go_to(std::int64_t step);
   void arrived();
@@ -183,6 +188,7 @@ class Session {
   bool pull_marked_ = false;
   const LitterField* color_by_ = &pup_fields().front();
   Watch watch_{};
+  int threads_;  // that share a step
   bool observed_ = true, suspended_ = false, playing_, changed_ = true;
   bool interrupted_ = false;  // it was playing when the numbers went wrong
   std::int64_t pending_ = 0;  // steps still to be made by Advance

@@ -1,0 +1,51 @@
+// Paints frames into the window: of each, where the window can do so, only what it changes.
+#pragma once
+
+#include <span>
+
+#include "app/context/glfw_window.h"
+#include "app/gl/target.h"
+#include "app/view/rgb.h"
+#include "app/window/gui.h"
+#include "app/window/repaint.h"
+
+namespace pupflow::window {
+
+/// For one window, whose context must be current whenever a function here runs.
+///
+/// A software driver that has GLX_MESA_copy_sub_buffer keeps what was painted last time; then boxes
+/// are painted and shown, and a frame that changes nothing costs no pixel. Elsewhere each frame is
+/// painted whole.
+class Painter {
+ public:
+  /// A picture below the panels, drawn already.
+  struct Image {
+    const gl::Target* store;
+    PixelBox place;  // as large as the store
+  };
+
+  /// `slow_gl`: the processor draws.
+  Painter(const context::GlfwWindow& window, bool slow_gl);
+
+  /// Shows `images` on `paper` and over them the frame that `gui` has just ended. `new_images`: the
+  /// stores' pixels are not those of the last call.
+  void paint(Gui& gui, std::span<const Image> images, bool new_images, view::Rgb paper);
+
+  /// The window lost its pixels.
+  void forget() { repaint_.forget(); }
+
+ private:
+  void clear(std::span<const PixelBox> boxes, std::span<const PixelBox> images, int height,
+             view::Rgb paper) const;
+  void show(std::span<const PixelBox> boxes, int height) const;
+
+  const context::GlfwWindow& window_;
+  void (*copy_box_)(void* display, unsigned long drawable, int x, int y, int width,
+                    int height) = nullptr;  // to the screen; null: the window shows whole frames
+  void* display_ = nullptr;
+  unsigned long drawable_ = 0;
+  Repaint repaint_;
+  float scale_ = 0, density_ = 0;  // of the fonts that were painted
+};
+
+}  // namespace pupflow::window

@@ -53,7 +53,7 @@ A picture of the litter: a numpy array (height, width, 3) of uint8. Needs no dis
 
 color_by: a field of a pup or an afferent. colormap: by default the field's. scale (low, high): by default
 the middle 90 % of what is seen, where the field has a scale.
-camera: 'top', 'side' or 'orbit:azimuth,elevation[,distance]'. bar: draw the legend.
+camera: 'top', 'side' or 'orbit:azimuth,elevation[,distance[,view]]'. bar: draw the legend.
 Raises RuntimeError where there is no OpenGL, with what to install.)";
 
 inline constexpr const char* kForceDoc =

@@ -23,14 +23,24 @@ struct Options {
   double exit_after = 0;
 };
 
-void work(const Options& options) {
+void work(const CLI::App& verb, const Options& options) {
   window::LiveJob job;
   const Start start = start_of(options.common.settings, options.from);
   job.params = start.recipe;
   job.from = start.from;
+  const io::Settings& typed = options.common.settings;
+  for (const std::string& name : {typed.scene, typed.like, options.from}) {
+    if (!name.empty()) job.opened = name;
+  }
   job.look = look_of(options.look);
   std::tie(job.width, job.height) = parse_size("--size", options.size);
   job.ui_scale = options.ui_scale;
+  const auto given = [&](const char* option) { return verb.count(option) > 0; };
+  job.given = {.size = given("--size"),
+               .ui_scale = given("--ui-scale"),
+               .quality = given("--quality"),
+               .draw = given("--draw"),
+               .colormap = given("--colormap")};
   job.paused = options.paused;
   job.threads = thread_count(options.common);
   job.screenshot = options.common.out;
@@ -54,12 +64,15 @@ Verb add_live(CLI::App& program) {
   help.out = "Where the screenshot key writes; %d or %0Nd stands for the step";
   help.quiet = "Accepted everywhere; the window prints nothing but errors";
   add_common(*app, options->common, help);
-  app->add_option("--size", options->size, "Window size in pixels (default " + options->size + ")")
+  app->add_option(
+         "--size", options->size,
+         "Window size in pixels (default: that of the last window, at first " + options->size + ")")
       ->option_text("WxH");
   app->add_option("--ui-scale", options->ui_scale,
-                  "Size of text and widgets, 0.5 to 4 (default: the display's)")
+                  "Size of text and widgets, 0.5 to 4 (default: the last one chosen, at first the "
+                  "display's)")
       ->option_text("X")
-      ->check(between(0.5, 4.0));
+      ->check(between(window::kSmallestScale, window::kLargestScale));
   add_from(*app, options->from);
   app->add_flag("--paused", options->paused, "Start paused");
   app->add_option("--exit-after", options->exit_after, "Close the window after so many seconds")
@@ -67,7 +80,8 @@ Verb add_live(CLI::App& program) {
       ->check(between(0.0, 1e6));
   app->add_flag("--test-events", options->test_events)->group("");
   add_look(*app, options->look, true);
-  return {app, [options] { work(*options); }};
+  add_overlays(*app, options->look);
+  return {app, [options, app] { work(*app, *options); }};
 }
 
 }  // namespace pupflow::cli

@@ -107,7 +107,7 @@ void add_look(CLI::App& verb, LookOptions& options, bool automatic) {
   verb.add_flag("--verbose", options.verbose, "Tell which OpenGL context and renderer is used");
 }
 
-void add_picture_look(CLI::App& verb, LookOptions& options) {
+void add_overlays(CLI::App& verb, LookOptions& options) {
   std::string overlays;
   for (const view::Overlay& overlay : view::overlays()) {
     overlays += (overlays.empty() ? "" : "; ") + std::string(overlay.name) + ": " +
@@ -123,6 +123,10 @@ void add_picture_look(CLI::App& verb, LookOptions& options) {
       ->option_text("S")
       ->check(between(0.01, pictures::kLongestTrail));
   verb.add_flag("--caption", options.caption, "Write into the picture what it shows");
+}
+
+void add_picture_look(CLI::App& verb, LookOptions& options) {
+  add_overlays(verb, options);
   verb.add_flag("--transparent", options.transparent, "Leave out the paper behind the scene");
   verb.add_option("--dpi", options.dpi, "Dots per inch that the file names")
       ->option_text("N")

@@ -29,7 +29,10 @@ struct LookOptions {
 /// field's range.
 void add_look(CLI::App& verb, LookOptions& options, bool automatic);
 
-/// Declares those that only pictures have.
+/// Declares what is drawn over the litter: --overlay, --trail, --caption.
+void add_overlays(CLI::App& verb, LookOptions& options);
+
+/// Declares the same, and what only pictures have.
 void add_picture_look(CLI::App& verb, LookOptions& options);
 
 /// Takes what was not typed from the entries of a picture.

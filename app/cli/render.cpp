@@ -267,10 +267,11 @@ Verb add_render(CLI::App& program) {
       ->check(between(pictures::kSmallestPanel, pictures::kLargestPanel));
   app->add_option("--size", options->size, "Pixels (default " + options->size + ")")
       ->option_text("WxH");
-  app->add_option("--camera", options->camera,
-                  "top, side, or orbit:azimuth,elevation[,distance] in degrees and arena units "
-                  "(default " +
-                      options->camera + ")")
+  app->add_option(
+         "--camera", options->camera,
+         "top, side, or orbit:azimuth,elevation[,distance[,view]] in degrees and arena units "
+         "(default " +
+             options->camera + ")")
       ->option_text("CAMERA");
   app->add_option(
          "--target", options->target,

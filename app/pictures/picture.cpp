@@ -11,6 +11,7 @@
 #include "app/io/failure.h"
 #include "app/io/memory.h"
 #include "app/io/text.h"
+#include "app/pictures/annotations.h"
 #include "app/view/canvas.h"
 #include "app/view/mark_painter.h"
 
@@ -20,20 +21,6 @@ namespace {
 
 std::string limits(int least, int most) {
   return std::to_string(least) + " ... " + std::to_string(most);
-}
-
-/// Pictures of fewer pixels from top to bottom have no words in the scene.
-constexpr int kLeastForWords = 160;
-constexpr double kLeastText = 6.5;  // pixels
-
-view::TextLine caption_of(const LitterView& litter, const Look& look) {
-  const Params& params = litter.params;
-  view::TextLine caption = view::symbol("T", "a");
-  const std::string label(look.scale.field->label);
-  return caption + (" = " + view::tick_label(params.ambient_temperature) + ", " +
-                    io::formatted("%.2f", litter.time) + " s, seed " + std::to_string(params.seed) +
-                    ", " + std::to_string(litter.pups) + (litter.pups == 1 ? " pup, " : " pups, ") +
-                    "color: " + label);
 }
 
 }  // namespace
@@ -120,20 +107,18 @@ void Picture::add_overlays(io::Image& scene, const LitterView& litter, const vie
   look_.overlays.draw({litter, list_.scale(), centres_of(litter), trails_}, marks_);
   const view::Projection projection(camera, list_.bounds(), scene.width, scene.height,
                                     list_.balls());
-  view::paint_marks(scene, text_, marks_, projection);
-  if (height_ < kLeastForWords) return;
-  const double size = style_.text_size, margin = 0.8 * size;
-  if (view::legend_width(text_, marks_.legend, size) + 2 * margin < scene.width) {
-    view::paint_legend(scene, text_, marks_.legend, margin, margin, size);
-  }
-  const double bar = paint_scale_bar(scene, text_, camera, size, style_.ink);
-  if (!look_.caption) return;
-  const view::TextLine caption = caption_of(litter, look_);
-  // Smaller where it would run into the scale bar, and not at all where nobody could read it.
-  const double room = scene.width - bar - 2 * margin;
-  const double fitting = std::min(size, size * room / text_.width(caption, size));
-  if (fitting < kLeastText) return;
-  view::paint_label(scene, text_, margin, height_ - margin, caption, fitting, style_.ink);
+  const view::TextWidth width_of = [&](const view::TextLine& line, double size) {
+    return text_.width(line, size);
+  };
+  const Annotated annotated{.litter = litter,
+                            .camera = camera,
+                            .projection = projection,
+                            .width = static_cast<double>(scene.width),
+                            .height = static_cast<double>(scene.height),
+                            .text_size = style_.text_size,
+                            .ink = style_.ink,
+                            .width_of = width_of};
+  view::paint(scene, text_, annotations(marks_, scene.height / view::kMarkRows, look_, annotated));
 }
 
 io::Image Picture::with_legend(io::Image scene, double tp) {
@@ -216,31 +201,6 @@ void unmultiply(io::Image& scene) {
       scene.rgba[c] = static_cast<std::uint8_t>(std::min(255, scene.rgba[c] * 255 / alpha));
     }
   }
-}
-
-double paint_scale_bar(io::Image& scene, view::TextPainter& text, const view::Camera& camera,
-                       double size, view::Rgb ink) {
-  const double unit = scene.height / (2 * camera.half_height());
-  double length = gl::kGridSpacing;
-  while (length * unit < 2 * size) length *= 2;
-  const double right = scene.width - 0.8 * size, left = right - length * unit;
-  const double bottom = scene.height - 0.8 * size, tick = 0.3 * size;
-  if (left < 0.8 * size || scene.height < kLeastForWords) return 0;
-  const auto stroke = [&](double x0, double y0, double x1, double y1) {
-    view::line(scene, Eigen::Vector2d(x0, y0), Eigen::Vector2d(x1, y1), size / 9, ink, 1);
-  };
-  stroke(left, bottom, right, bottom);
-  stroke(left, bottom - tick, left, bottom + tick);
-  stroke(right, bottom - tick, right, bottom + tick);
-  view::paint_label(scene, text, (left + right) / 2, bottom - 0.5 * size,
-                    {{view::tick_label(length)}}, size, ink, view::Align::centre);
-  return scene.width - left;
-}
-
-std::vector<Eigen::Vector3d> centres_of(const LitterView& litter) {
-  std::vector<Eigen::Vector3d> centres;
-  for (int pup = 0; pup < litter.pups; ++pup) centres.push_back(litter.positions.mean(pup));
-  return centres;
 }
 
 }  // namespace pupflow::pictures

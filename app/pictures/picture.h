@@ -98,13 +98,4 @@ io::PngOptions png_options(const Look& look);
 /// A scene without background, as the renderer draws it, with colors that are not premultiplied.
 void unmultiply(io::Image& scene);
 
-/// Paints a scale bar, one square of the floor's grid long where the camera's target is, into the
-/// lower right corner of a scene, with text of that size. Returns how far it reaches from the right;
-/// 0 where there is no room for it.
-double paint_scale_bar(io::Image& scene, view::TextPainter& text, const view::Camera& camera,
-                       double size, view::Rgb ink);
-
-/// The pups' centres.
-std::vector<Eigen::Vector3d> centres_of(const LitterView& litter);
-
 }  // namespace pupflow::pictures

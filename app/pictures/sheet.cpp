@@ -11,6 +11,7 @@
 #include "app/io/progress.h"
 #include "app/io/provenance.h"
 #include "app/io/text.h"
+#include "app/pictures/annotations.h"
 #include "app/pictures/picture.h"
 #include "app/view/canvas.h"
 #include "app/view/color_bar.h"
@@ -217,8 +218,10 @@ io::Image draw_panel(const SheetJob& job, const Simulation& simulation,
   view::Marks marks;
   job.look.overlays.draw({litter, scale, centres_of(litter), view::Trails()}, marks);
   const view::Projection projection(camera, list.bounds(), scene.width, scene.height, list.balls());
-  view::paint_marks(scene, text, marks, projection);
-  paint_scale_bar(scene, text, camera, size, kInk);
+  std::vector<view::Flat> flats;
+  view::flatten(marks, projection, scene.height / view::kMarkRows, flats);
+  add_scale_bar(flats, scene.width, scene.height, camera, size, kInk);
+  view::paint(scene, text, flats);
   if (job.look.caption) add_caption(scene, text, litter, size);
   return scene;
 }

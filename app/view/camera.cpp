@@ -15,16 +15,16 @@ namespace pupflow::view {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
-constexpr double kTanHalfView =
-    0.2679491924311227;  // tan 15 degrees: 30 degrees from top to bottom
 constexpr double kNearest = 0.05, kFurthest = 1e6;
-constexpr double kMargin = 1.04;  // room left around a framed arena
+constexpr double kNarrowest = 1, kWidest = 150;  // views, degrees
+constexpr double kMargin = 1.04;                 // room left around a framed arena
 
 [[noreturn]] void fail(const std::string& spec) {
   throw io::Failure(io::ExitCode::bad_input,
                     "camera '" + spec +
-                        "' is none of: top, side, orbit:azimuth,elevation[,distance] with the "
-                        "elevation in -90 ... 90 degrees and the distance in 0.05 ... 1e6");
+                        "' is none of: top, side, orbit:azimuth,elevation[,distance[,view]] with "
+                        "the elevation in -90 ... 90 degrees, the distance in 0.05 ... 1e6 and "
+                        "the view in 1 ... 150 degrees");
 }
 
 std::vector<double> numbers_in(const std::string& spec, std::string_view text) {
@@ -56,21 +56,39 @@ Camera Camera::parse(const std::string& spec) {
   constexpr std::string_view kOrbit = "orbit:";
   if (!spec.starts_with(kOrbit)) fail(spec);
   const auto numbers = numbers_in(spec, std::string_view(spec).substr(kOrbit.size()));
-  if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[1]) > 90) fail(spec);
+  if (numbers.size() < 2 || numbers.size() > 4 || std::abs(numbers[1]) > 90) fail(spec);
   camera.azimuth_ = std::remainder(numbers[0], 360) * kRadians;
   camera.elevation_ = numbers[1] * kRadians;
-  if (numbers.size() == 3) {
+  if (numbers.size() >= 3) {
     if (numbers[2] < kNearest || numbers[2] > kFurthest) fail(spec);
     camera.distance_ = numbers[2];
     camera.fixed_distance_ = true;
   }
+  if (numbers.size() == 4) {
+    if (numbers[3] < kNarrowest || numbers[3] > kWidest) fail(spec);
+    camera.tan_half_view_ = std::tan(numbers[3] / 2 * kRadians);
+  }
+  return camera;
+}
+
+Camera Camera::along(const Eigen::Vector3d& eye, double azimuth, double distance, double view) {
+  Camera camera;
+  camera.moved_ = true;
+  camera.azimuth_ = std::remainder(azimuth + std::numbers::pi, 2 * std::numbers::pi);
+  camera.distance_ = std::max(distance, kNearest);
+  camera.tan_half_view_ = std::tan(view / 2);
+  camera.look_at(eye - camera.distance_ * camera.backward());
   return camera;
 }
 
 std::string Camera::spec() const {
   if (!moved_ || projection_ == Projection::orthographic) return typed_;
-  return "orbit:" + io::number_text(azimuth_ / kRadians) + ',' +
-         io::number_text(elevation_ / kRadians) + ',' + io::number_text(distance_);
+  std::string text = "orbit:" + io::number_text(azimuth_ / kRadians) + ',' +
+                     io::number_text(elevation_ / kRadians) + ',' + io::number_text(distance_);
+  if (tan_half_view_ != kTanHalfView) {
+    text += ',' + io::number_text(2 * std::atan(tan_half_view_) / kRadians);
+  }
+  return text;
 }
 
 Eigen::Vector3d Camera::right() const {
@@ -89,7 +107,7 @@ Eigen::Vector3d Camera::up() const {
 }
 
 double Camera::half_height() const {
-  return distance_ * kTanHalfView;
+  return distance_ * tan_half_view_;
 }
 
 void Camera::look_at(const Eigen::Vector3d& target) {
@@ -101,7 +119,7 @@ void Camera::frame(double arena_radius, double height, double aspect) {
   if (fixed_distance_ || moved_) return;
   const Eigen::Vector3d given = target_;
   target_.setZero();
-  const double tangent[2] = {kTanHalfView * aspect / kMargin, kTanHalfView / kMargin};
+  const double tangent[2] = {tan_half_view_ * aspect / kMargin, tan_half_view_ / kMargin};
   // A point at (u, v, w) in camera axes is in the picture when |u - shift| <= tangent (d - w), and
   // |u - shift| <= tangent d without perspective. Both sides' bounds on d meet at the best shift.
   double least[2] = {-1e300, -1e300}, most[2] = {-1e300, -1e300};
@@ -146,6 +164,13 @@ void Camera::zoom(double factor) {
   distance_ = std::clamp(distance_ / factor, kNearest, kFurthest);
 }
 
+void Camera::zoom_at(double factor, double right_share, double up_share) {
+  const double before = half_height();
+  zoom(factor);
+  const double gained = 2 * (before - half_height());
+  target_ += gained * (right_share * right() + up_share * up());
+}
+
 CameraMatrices Camera::matrices(double aspect, const Bounds& bounds) const {
   const Eigen::Vector3d axes[3] = {right(), up(), backward()};
   Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
@@ -163,8 +188,8 @@ CameraMatrices Camera::matrices(double aspect, const Bounds& bounds) const {
   if (projection_ == Projection::perspective) {
     near = std::max(near, 0.02 * distance_);
     far = std::max(far, 2 * near);
-    projection(0, 0) = 1 / (kTanHalfView * aspect);
-    projection(1, 1) = 1 / kTanHalfView;
+    projection(0, 0) = 1 / (tan_half_view_ * aspect);
+    projection(1, 1) = 1 / tan_half_view_;
     projection(2, 2) = -(far + near) / (far - near);
     projection(2, 3) = -2 * far * near / (far - near);
     projection(3, 2) = -1;

@@ -25,16 +25,22 @@ class Camera {
   enum class Projection { perspective, orthographic };
 
   /// top (orthographic, x to the right and y up), side (orthographic, x to the right and z up) or
-  /// orbit:azimuth,elevation[,distance] (perspective; degrees, counter-clockwise from the x axis
-  /// and up from the floor; distance from the arena's centre in arena units). Without a distance
+  /// orbit:azimuth,elevation[,distance[,view]] (perspective; degrees, counter-clockwise from the x
+  /// axis and up from the floor; distance from the arena's centre in arena units; view: the angle
+  /// from the bottom of the picture to its top, 30 degrees unless it is given). Without a distance
   /// the arena fills the picture. Throws Failure(bad_input) for anything else.
   static Camera parse(const std::string& spec);
+
+  /// From `eye` along the floor in the direction `azimuth`, to a target `distance` away, which it
+  /// keeps; `view`: the angle from bottom to top. Angles in radians.
+  static Camera along(const Eigen::Vector3d& eye, double azimuth, double distance, double view);
 
   /// Where pictures and the window look from unless told otherwise.
   static constexpr const char* kUsual = "orbit:30,35";
 
   /// How the camera is written: as it was typed, or once it was turned or moved by hand as
-  /// orbit:azimuth,elevation,distance. A camera without perspective keeps what was typed.
+  /// orbit:azimuth,elevation,distance, with the view where it is not the usual one. A camera
+  /// without perspective keeps what was typed.
   std::string spec() const;
 
   /// Whether it was turned or moved since it was parsed (orbit, pan, zoom).
@@ -62,6 +68,10 @@ class Camera {
   /// Divides the distance by `factor` (> 1: closer); stays within 0.05 ... 10^6 arena units.
   void zoom(double factor);
 
+  /// The same towards a place of the picture, `right` and `up` of its middle in shares of its
+  /// height: what lies there, as far away as the target, stays there.
+  void zoom_at(double factor, double right, double up);
+
   Projection projection() const { return projection_; }
   double azimuth() const { return azimuth_; }
   double elevation() const { return elevation_; }
@@ -84,9 +94,12 @@ class Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 
  private:
+  static constexpr double kTanHalfView = 0.2679491924311227;  // of 15 degrees
+
   Projection projection_ = Projection::perspective;
   double azimuth_ = 0, elevation_ = 0;
   double distance_ = 10;
+  double tan_half_view_ = kTanHalfView;
   bool fixed_distance_ = false, moved_ = false, targeted_ = false;
   std::string typed_;
   Eigen::Vector3d target_ = Eigen::Vector3d::Zero();

@@ -196,7 +196,7 @@ TextLine title_of(const Field& field) {
 ColorBarMargins color_bar_margins(const ColorScale& scale, const ColorBarStyle& style) {
   constexpr double kDigit = 0.64;  // width of a character, of the text size
   const double labels = kTick + kGap + kDigit * static_cast<double>(longest_label(scale));
-  const double right = std::max(5.0, labels + 1.6 * kTitle);
+  const double right = style.titled ? std::max(5.0, labels + 1.6 * kTitle) : labels;
   return {static_cast<int>(std::lround(2.1 * style.text_size)),
           static_cast<int>(std::lround(right * style.text_size))};
 }
@@ -228,6 +228,7 @@ ColorBar lay_out_color_bar(const Box& bar, const ColorBarMargins& margins, const
     add_swatch(layout, {bar.x, bar.y + bar.height + side, bar.width, side}, kUnknownColor, kUnknown,
                size);
   }
+  if (!style.titled) return layout;
   // The title: over the swatches, or along the bar.
   if (scale.categorical()) {
     layout.labels.push_back(

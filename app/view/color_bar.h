@@ -22,6 +22,7 @@ TextLine title_of(const Field& field);
 struct ColorBarStyle {
   double text_size = 16;  // em of the tick labels, pixels
   Rgb ink{40, 40, 40};
+  bool titled = true;  // says what field it is of
 };
 
 /// Pixels that labels and title need on either side of a bar. They do not depend on the data, so

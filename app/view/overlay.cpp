@@ -61,6 +61,12 @@ bool OverlaySet::has(std::string_view name) const {
   return found != kOverlays.end() && (bits_ >> (found - kOverlays.begin()) & 1) != 0;
 }
 
+void OverlaySet::set(std::string_view name, bool on) {
+  const auto bit = std::uint32_t{1}
+                   << (std::ranges::find(kOverlays, name, &Overlay::name) - kOverlays.begin());
+  bits_ = on ? bits_ | bit : bits_ & ~bit;
+}
+
 PartSet OverlaySet::parts() const {
   PartSet parts;
   for (const Overlay& overlay : kOverlays) {

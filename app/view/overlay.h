@@ -68,6 +68,7 @@ class OverlaySet {
 
   bool empty() const { return bits_ == 0; }
   bool has(std::string_view name) const;
+  void set(std::string_view name, bool on);  // of one in the table
   PartSet parts() const;
 
   /// Adds the marks of all its overlays.

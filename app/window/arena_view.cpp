@@ -24,8 +24,11 @@ bool ArenaView::draw(const LiveState& snapshot, bool fresh, const view::ColorSca
   camera_ = view::framed(camera_, litter.params, static_cast<double>(width) / height);
   const view::Drawing drawing{
       .draw = look_.draw, .quality = look_.quality, .rows = height * samples};
-  const bool reload = fresh || drawing.rows != list_.drawing().rows || camera_ != drawn_camera_ ||
-                      !drawn_scale_ || !scale.same_as(*drawn_scale_);
+  const view::Drawing& drawn = list_.drawing();
+  const bool other_bodies =
+      drawing.rows != drawn.rows || drawing.draw != drawn.draw || drawing.quality != drawn.quality;
+  const bool reload = fresh || other_bodies || camera_ != drawn_camera_ || !drawn_scale_ ||
+                      !scale.same_as(*drawn_scale_);
   const bool same_store =
       store_.width() == width && store_.height() == height && samples == drawn_samples_;
   if (!reload && same_store) return false;
@@ -42,14 +45,20 @@ bool ArenaView::draw(const LiveState& snapshot, bool fresh, const view::ColorSca
   return true;
 }
 
+io::Image ArenaView::picture(pictures::Picture& picture, const LiveState& snapshot) {
+  const LitterView litter = snapshot.view();
+  drawn_scale_.reset();  // from here on the renderer holds what this camera sees
+  return picture.draw(renderer_, litter,
+                      view::framed(camera_, litter.params, picture.scene_aspect()));
+}
+
 void ArenaView::write_picture(const std::string& path, const LiveState& snapshot,
                               const pictures::Look& look) {
   const pictures::RenderJob usual;
   const LitterView litter = snapshot.view();
   pictures::Picture picture(usual.width, usual.height, true, look);
   const view::Camera camera = view::framed(camera_, litter.params, picture.scene_aspect());
-  drawn_scale_.reset();  // from here on the renderer holds what this camera sees
-  const io::Image image = picture.draw(renderer_, litter, camera);
+  const io::Image image = this->picture(picture, snapshot);
 
   io::TextEntries extra{{"picture", "live"}, {"step", std::to_string(litter.step)}};
   const auto add = [&](const io::TextEntries& more) {

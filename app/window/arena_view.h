@@ -2,11 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "app/gl/renderer.h"
 #include "app/gl/target.h"
 #include "app/pictures/look.h"
+#include "app/pictures/picture.h"
 #include "app/view/camera.h"
 #include "app/view/draw_list.h"
 #include "app/window/session/session.h"
@@ -25,9 +27,15 @@ class ArenaView {
   // The mouse: turns by radians, moves by shares of the picture's height, comes nearer by a factor.
   void orbit(double d_azimuth, double d_elevation) { camera_.orbit(d_azimuth, d_elevation); }
   void pan(double right, double up) { camera_.pan(right, up); }
-  void zoom(double factor) { camera_.zoom(factor); }
+  void zoom_at(double factor, double right, double up) { camera_.zoom_at(factor, right, up); }
 
   const view::Camera& camera() const { return camera_; }
+
+  /// How bodies are drawn from now on.
+  void set_look(const pictures::Look& look) { look_ = look; }
+
+  /// The outlines of the bodies that were drawn last.
+  std::span<const view::Ball> bodies() const { return list_.balls(); }
 
   /// Draws `snapshot` into a store of its own, `width` x `height` pixels with `samples` x `samples`
   /// samples each in the colors of `scale`, unless it is drawn there already. `fresh` says that the
@@ -37,6 +45,9 @@ class ArenaView {
 
   /// What was drawn.
   const gl::Target& store() const { return store_; }
+
+  /// The picture of `snapshot` that `picture` makes from here.
+  io::Image picture(pictures::Picture& picture, const LiveState& snapshot);
 
   /// Writes the picture that `pupflow render` would make from here, in its usual size, with the
   /// color bar and all that is needed to make it again. Overwrites nothing. Throws Failure.

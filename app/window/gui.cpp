@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/window/imgui_compat.h"
+
 namespace pupflow::window {
 
-Gui::Gui(const context::GlfwWindow& window, double ui_scale)
-    : window_(window), ui_scale_(ui_scale) {
+Gui::Gui(const context::GlfwWindow& window, double ui_scale, Theme theme)
+    : window_(window), ui_scale_(ui_scale), theme_(theme) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // no files beside those that were asked for
@@ -37,12 +39,15 @@ void Gui::follow_scale() {
       width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1.0f;
   const float scale = ui_scale_ > 0 ? static_cast<float>(ui_scale_)
                                     : static_cast<float>(window_.content_scale()) / density;
-  if (scale == scale_ && density == density_) return;
+  const bool same_size = scale == scale_ && density == density_;
+  if (same_size && theme_ == applied_) return;
+  apply_theme(theme_, scale);
+  applied_ = theme_;
+  if (same_size) return;
   scale_ = scale;
   density_ = density;
-  apply_theme(scale);
   fonts_ = load_fonts(scale, density);
-  ImGui_ImplOpenGL3_DestroyFontsTexture();  // the next frame makes it anew
+  remake_font_texture();
 }
 
 void Gui::begin_frame() {

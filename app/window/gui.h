@@ -1,6 +1,7 @@
 // Dear ImGui in a GLFW window: set-up, scale, frames.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "app/context/glfw_window.h"
@@ -12,15 +13,19 @@ namespace pupflow::window {
 /// callbacks call those that were installed before it; the key callback it leaves to its owner.
 class Gui {
  public:
-  /// `ui_scale` enlarges text and widgets; 0 follows the display, also when the window moves to
-  /// another one.
-  Gui(const context::GlfwWindow& window, double ui_scale);
+  /// The theme and scale to begin with.
+  Gui(const context::GlfwWindow& window, double ui_scale, Theme theme);
   ~Gui();
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
   /// Passes on what GLFW's key callback was told. A tap shorter than a frame still lasts for one.
   void key(int code, int scancode, int action, int mods);
+
+  /// From the next frame on. `ui_scale` enlarges text and widgets; 0 follows the display, also when
+  /// the window moves to another one.
+  void set_scale(double ui_scale) { ui_scale_ = ui_scale; }
+  void set_theme(Theme theme) { theme_ = theme; }
 
   /// Between these two panels may be submitted.
   void begin_frame();
@@ -42,6 +47,8 @@ class Gui {
 
   const context::GlfwWindow& window_;
   double ui_scale_;
+  Theme theme_;
+  std::optional<Theme> applied_;
   float scale_ = 0, density_ = 0;
   Fonts fonts_;
   std::vector<int> pressed_;       // keys that went down since the last frame

@@ -11,8 +11,14 @@ enum class Action {
   play_pause,
   step,
   step_many,
+  step_back,
+  step_back_many,
+  to_start,
+  to_end,
   restart,
   new_seed,
+  undo,
+  redo,
   faster,
   slower,
   real_time,
@@ -20,13 +26,29 @@ enum class Action {
   reset_camera,
   top_view,
   side_view,
+  next_pup,
+  previous_pup,
+  follow_pup,
+  pups_eye,
   screenshot,
+  record,
+  open,
+  save,
+  save_as,
+  copy_command,
+  larger,
+  smaller,
+  usual_size,
+  switch_theme,
+  full_screen,
   toggle_panels,
   toggle_help,
+  work_panels,
+  close,
   quit
 };
 
-/// How far Action::step_many goes.
+/// How far Action::step_many and Action::step_back_many go.
 constexpr int kManySteps = 100;
 
 /// One row: any of `keys` does `action`. Keys are GLFW's codes, for printing keys the capital
@@ -38,6 +60,7 @@ struct KeyRow {
   bool repeats;      // again while held
   const char* text;  // the keys as help prints them
   const char* doc;
+  bool ctrl = false;  // only with Ctrl held
 };
 
 std::span<const KeyRow> key_table();
@@ -45,8 +68,8 @@ std::span<const KeyRow> key_table();
 /// The row of an action.
 const KeyRow& key_row(Action action);
 
-/// What pressing `key` with GLFW's modifier bits `mods` does; nothing with Ctrl, Alt or Super. Rows
-/// with Shift come before those without, and Shift is otherwise ignored (it may be what types '+').
+/// What pressing `key` with GLFW's modifier bits `mods` does; nothing with Alt or Super. Rows with
+/// Shift come before those without, and Shift is otherwise ignored (it may be what types '+').
 /// `repeated`: the key is being held.
 std::optional<Action> action_for(int key, int mods, bool repeated);
 

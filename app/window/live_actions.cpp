@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "app/io/failure.h"
+#include "app/window/history_csv.h"
 #include "app/window/live_window.h"
+#include "app/window/panel_keys.h"
 #include "app/window/panels/transport_panel.h"
 
 namespace pupflow::window {
@@ -38,6 +40,7 @@ void LiveWindow::install_callbacks() {
   });
   glfwSetFramebufferSizeCallback(handle, event);
   glfwSetWindowContentScaleCallback(handle, event);
+  install_desk_callbacks();
 }
 
 void LiveWindow::install_key_callback() {
@@ -57,12 +60,19 @@ bool LiveWindow::text_has_keyboard() {
 }
 
 void LiveWindow::key(int code, int mods, bool repeated) {
-  if (text_has_keyboard()) return;
+  if (dialogs_.shown()) {
+    if (code == GLFW_KEY_ESCAPE) dialogs_.cancel();
+    if (code == GLFW_KEY_ENTER || code == GLFW_KEY_KP_ENTER) dialogs_.accept();
+    return;
+  }
+  if (text_has_keyboard() || panels_take(code)) return;
   if (const auto action = action_for(code, mods, repeated)) controls_.actions.push_back(*action);
 }
 
 void LiveWindow::move_camera(const Area& arena, double now) {
   const ImGuiIO& io = ImGui::GetIO();
+  const bool clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+  if (clicked && keys_work_panels()) leave_panels();
   if (io.WantCaptureMouse) return;
   const auto share = [&](float pixels) { return static_cast<double>(pixels / arena.size.y); };
   const double dx = share(io.MouseDelta.x), dy = share(io.MouseDelta.y);
@@ -70,11 +80,15 @@ void LiveWindow::move_camera(const Area& arena, double now) {
   const bool pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
                        ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
                        ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
-  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left) && !pulled_;
   const bool other =
       ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
   if ((dx != 0 || dy != 0) && !pressed) {
-    if (other || (left && io.KeyShift)) {
+    const bool moves = other || (left && io.KeyShift);
+    const bool eye = controls_.camera_mode == CameraMode::eye;
+    if ((moves || left) && (eye || moves)) controls_.camera_mode = CameraMode::free;
+    if (eye) return;
+    if (moves) {
       arena_.pan(dx, -dy);
       schedule_.view_moved(now);
     } else if (left) {
@@ -83,22 +97,36 @@ void LiveWindow::move_camera(const Area& arena, double now) {
     }
   }
   if (io.MouseWheel != 0 && arena.holds(io.MousePos)) {
-    arena_.zoom(std::pow(kZoomPerNotch, io.MouseWheel));
+    const ImVec2 middle = arena.middle();
+    arena_.zoom_at(std::pow(kZoomPerNotch, io.MouseWheel), share(io.MousePos.x - middle.x),
+                   share(middle.y - io.MousePos.y));
     schedule_.view_moved(now);
   }
 }
 
 void LiveWindow::carry_out(double now) {
   for (const Action action : std::exchange(controls_.actions, {})) perform(action, now);
-  for (Command& command : std::exchange(controls_.commands, {})) runner_.send(std::move(command));
+  if (const auto steps = std::exchange(controls_.save_csv, {})) save_csv(*steps);
+  if (!controls_.message.empty()) show(std::exchange(controls_.message, {}));
+  for (Command& command : std::exchange(controls_.commands, {})) {
+    film_follows(command);
+    runner_.send(std::move(command));
+  }
 }
 
 void LiveWindow::perform(Action action, double now) {
   const auto look_from = [&](const char* spec) {
+    if (controls_.camera_mode == CameraMode::eye) controls_.camera_mode = CameraMode::free;
+    guide_ = {};
     arena_.look_from(view::Camera::parse(spec));
     schedule_.view_moved(now);
   };
+  const LiveState& shown = runner_.snapshot();
+  const auto go_by = [&](std::int64_t steps) {
+    controls_.go_to(controls_.shown_step(shown) + steps, shown.timeline);
+  };
   schedule_.panels_changed();  // the next frame shows the result
+  if (film_takes(action)) return;
   switch (action) {
     case Action::play_pause:
       controls_.commands.push_back(PlayPause{});
@@ -108,6 +136,24 @@ void LiveWindow::perform(Action action, double now) {
       break;
     case Action::step_many:
       controls_.commands.push_back(Advance{kManySteps});
+      break;
+    case Action::step_back:
+      go_by(-1);
+      break;
+    case Action::step_back_many:
+      go_by(-kManySteps);
+      break;
+    case Action::to_start:
+      controls_.go_to(shown.timeline.first, shown.timeline);
+      break;
+    case Action::to_end:
+      controls_.go_to(shown.timeline.last, shown.timeline);
+      break;
+    case Action::undo:
+      controls_.commands.push_back(Undo{});
+      break;
+    case Action::redo:
+      controls_.commands.push_back(Redo{});
       break;
     case Action::restart:
       controls_.commands.push_back(Restart{});
@@ -119,10 +165,10 @@ void LiveWindow::perform(Action action, double now) {
       break;
     }
     case Action::faster:
-      controls_.set_speed(2 * controls_.speed);
+      controls_.faster();
       break;
     case Action::slower:
-      controls_.set_speed(controls_.as_fast ? controls_.speed : controls_.speed / 2);
+      controls_.slower();
       break;
     case Action::real_time:
       controls_.set_speed(1);
@@ -139,22 +185,50 @@ void LiveWindow::perform(Action action, double now) {
     case Action::side_view:
       look_from("side");
       break;
+    case Action::next_pup:
+    case Action::previous_pup:
+    case Action::follow_pup:
+    case Action::pups_eye:
+      perform_on_pup(action);
+      break;
     case Action::screenshot:
       take_picture();
       break;
     case Action::toggle_panels:
-      controls_.panels = !controls_.panels;
+      (controls_.narrow ? controls_.drawer : controls_.panels) ^= true;
       break;
     case Action::toggle_help:
       controls_.help = !controls_.help;
       break;
-    case Action::quit:
-      if (controls_.help) {
-        controls_.help = false;
-      } else {
-        glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
-      }
+    case Action::work_panels:
+      work_next_panel(Panels::names());
+      show("Arrows move, Space presses, Enter types. F6: the next panel. Esc: back to the arena.");
       break;
+    case Action::close:
+      close_front();
+      break;
+    case Action::quit:
+      quit();
+      break;
+    default:
+      desk_action(action);
+      break;
+  }
+}
+
+/// One thing at a time, that in front first. Text fields deal with Esc themselves.
+void LiveWindow::close_front() {
+  if (close_front_popup()) return;
+  if (controls_.help) {
+    controls_.help = false;
+  } else if (keys_work_panels()) {
+    leave_panels();
+  } else if (controls_.narrow && controls_.drawer) {
+    controls_.drawer = false;
+  } else if (controls_.camera_mode != CameraMode::free) {
+    controls_.camera_mode = CameraMode::free;
+  } else {
+    controls_.selected.reset();
   }
 }
 
@@ -167,6 +241,16 @@ void LiveWindow::take_picture() {
     show("saved " + path);
   } catch (const io::Failure& failure) {
     show(failure.what());  // a full disk does not end the run
+  }
+}
+
+void LiveWindow::save_csv(StepRange steps) {
+  try {
+    const std::string path = save_history_csv(job_.screenshot, runner_.snapshot(), steps);
+    events_.note("saved", path);
+    show("saved " + path);
+  } catch (const io::Failure& failure) {
+    show(failure.what());
   }
 }
 

@@ -9,12 +9,22 @@
 
 namespace pupflow::window {
 
+constexpr int kUsualWidth = 1400, kUsualHeight = 900;
+constexpr double kSmallestScale = 0.5, kLargestScale = 4;  // of text and widgets
+
 /// `pupflow live`: the window.
 struct LiveJob {
+  /// Which of these were typed: the others take what the user's settings say.
+  struct Given {
+    bool size = false, ui_scale = false, quality = false, draw = false, colormap = false;
+  };
+
   Params params;                 // the recipe
   std::optional<Snapshot> from;  // a litter of that recipe to begin with; none: a new one
+  std::string opened;            // the scene or file that brought it; empty: neither
   pictures::Look look;
-  int width = 1400, height = 900;
+  Given given;
+  int width = kUsualWidth, height = kUsualHeight;
   int threads = 1;           // that share a step
   double ui_scale = 0;       // 0: the display's
   bool paused = false;       // start paused

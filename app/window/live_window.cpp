@@ -10,7 +10,6 @@
 #include "app/gl/load.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
-#include "app/window/panels/legend.h"
 #include "app/window/panels/overlays.h"
 
 namespace pupflow::window {
@@ -24,7 +23,7 @@ bool drawn_by_processor() {
 
 }  // namespace
 
-LiveWindow::LiveWindow(const LiveJob& job)
+LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
       painter_(window_, drawn_by_processor()),
@@ -36,13 +35,21 @@ LiveWindow::LiveWindow(const LiveJob& job)
                .threads = job.threads,
                .hashed = true,  // a picture carries it
                .notify = [] { glfwPostEmptyEvent(); }}),
-      schedule_(drawn_by_processor()) {
+      schedule_(drawn_by_processor()),
+      desk_({job.opened, job.params, job.from ? job.from->edited : std::nullopt}),
+      settings_(settings),
+      written_(settings) {
   picture_path(job.screenshot, 0);  // a bad pattern fails now, not with the first screenshot
-  controls_.params = controls_.seen = job.params;
+  controls_.params = controls_.seen = controls_.scene = job.params;
   controls_.look = job.look;
+  controls_.panels = settings.panels;
+  controls_.pause_minimised = settings.pause_minimised;
+  controls_.recent = settings.recent;
+  seen_ = present();
+  seen_field_ = job.look.scale.field;
   runner_.send(ColorBy{job.look.scale.field});
   install_callbacks();
-  gui_ = std::make_unique<Gui>(window_, job.ui_scale);
+  gui_ = std::make_unique<Gui>(window_, job.ui_scale, settings.theme);
   install_key_callback();
   glfwSwapInterval(1);
   if (job.look.verbose) {
@@ -60,6 +67,8 @@ void LiveWindow::run() {
     exchange_snapshots(now);
     if (schedule_.frame_due(now)) frame(now);
   }
+  end_film();
+  keep_settings();
   events_.closed();
 }
 
@@ -84,7 +93,8 @@ void LiveWindow::follow_visibility() {
                        glfwGetWindowAttrib(window_.handle(), GLFW_ICONIFIED) == GLFW_FALSE;
   if (visible == schedule_.visible()) return;
   schedule_.set_visible(visible);
-  runner_.send(Suspend{!visible});
+  events_.visible(visible);
+  runner_.send(Suspend{!visible && controls_.pause_minimised});
 }
 
 void LiveWindow::exchange_snapshots(double now) {
@@ -94,7 +104,8 @@ void LiveWindow::exchange_snapshots(double now) {
     events_.snapshot(snapshot);
     const LitterView litter = snapshot.view();
     if (!snapshot.rejected.empty()) controls_.params = litter.params;
-    controls_.follow(litter.params, job_.params.schedule);
+    controls_.follow(snapshot);
+    film_snapshot();
   }
   if (!schedule_.wants_snapshot(now)) return;
   runner_.request();
@@ -105,29 +116,45 @@ void LiveWindow::frame(double now) {
   schedule_.begin_frame(now);
   gui_->begin_frame();
   const ImGuiIO& io = ImGui::GetIO();
-  const Layout layout =
-      make_layout(io.DisplaySize.x, io.DisplaySize.y, gui_->scale(), controls_.panels);
+  const Layout layout = lay_out();
   const LiveState& snapshot = runner_.snapshot();
   const double rate = snapshot.playing ? schedule_.frames_per_second() : 0;
-  const PanelInput input{snapshot, controls_, gui_->fonts(), events_, rate};
-  observe(panels_.draw(layout, input));
+  const PanelInput input{snapshot, controls_, gui_->fonts(), events_, tips_, rate};
+  tips_.begin_frame(layout, now);
+  panels_.draw(layout, input);
   fit_scale();
-  draw_legend(layout.bar, scale_, snapshot.view().params.preferred_temperature, gui_->fonts());
+  legend_.draw(layout.bar, scale_, input);
   if (schedule_.shows_message()) draw_message(layout.arena, message_);
   if (io.WantTextInput) schedule_.cursor_shown(now);
+  if (const auto due = tips_.due()) schedule_.wake_at(*due);
+  events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
+  events_.area("arena", layout.arena);
+  point_at_pups(layout.arena);
+  events_.problem(controls_.problem_at, controls_.problem);
   move_camera(layout.arena, now);
+  desk_frame(input);
+  lead_camera(now);
+  controls_.watch();
+  const DrawnArena drawn = draw_arena(layout);
   gui_->end_frame();
 
   carry_out(now);
-  paint(layout);
+  paint(drawn);
   schedule_.end_frame();
 }
 
-/// The engine works out the observables only while they are shown.
-void LiveWindow::observe(bool observed) {
-  if (observed != observed_) controls_.commands.push_back(Observe{observed});
-  observed_ = observed;
+Layout LiveWindow::lay_out() {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  LayoutWish wish{.width = size.x, .height = size.y, .scale = gui_->scale()};
+  wish.menu = ImGui::GetFrameHeight();
+  wish.transport = panels_.transport_height();
+  if (wish.transport == 0) wish.transport = LayoutWish{}.transport * wish.scale;
+  wish.panels = controls_.panels;
+  wish.drawer = controls_.drawer;
+  const Layout layout = make_layout(wish);
+  controls_.narrow = layout.narrow;
+  return layout;
 }
 
 /// After the panels, which may have chosen another field.
@@ -141,7 +168,8 @@ void LiveWindow::fit_scale() {
   scale_time_ = litter.time;
 }
 
-void LiveWindow::paint(const Layout& layout) {
+/// Into a store of its own; and what is painted over it, into the panels' list.
+LiveWindow::DrawnArena LiveWindow::draw_arena(const Layout& layout) {
   const auto pixels = [&](float length) {
     return static_cast<int>(std::lround(length * gui_->density()));
   };
@@ -153,12 +181,22 @@ void LiveWindow::paint(const Layout& layout) {
   place.right = std::max(std::min(place.right, width), place.left + 1);
   place.bottom = std::max(std::min(place.bottom, height), place.top + 1);
   const int samples = schedule_.samples(controls_.look.samples());
-  const bool drawn = arena_.draw(runner_.snapshot(), schedule_.fresh(), scale_, place.width(),
-                                 place.height(), samples);
-  const Painter::Image arena{&arena_.store(), place};
-  painter_.paint(*gui_, {&arena, 1}, drawn, gl::Palette{}.background);
+  const LiveState& snapshot = runner_.snapshot();
+  arena_.set_look(controls_.look);
+  const bool anew =
+      arena_.draw(snapshot, schedule_.fresh(), scale_, place.width(), place.height(), samples);
+  const LitterView litter = snapshot.view();
+  marks_.paint(*ImGui::GetBackgroundDrawList(),
+               {litter, scale_, arena_.camera(), arena_.bodies(), layout.arena}, schedule_.fresh(),
+               controls_.look, selection_marks());
+  return {place, anew, samples};
+}
+
+void LiveWindow::paint(const DrawnArena& drawn) {
+  const Painter::Image arena{&arena_.store(), drawn.place};
+  painter_.paint(*gui_, {&arena, 1}, drawn.anew, gl::Palette{}.background);
   events_.camera(arena_.camera());
-  events_.frame(samples);
+  events_.frame(drawn.samples);
 }
 
 }  // namespace pupflow::window

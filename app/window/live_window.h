@@ -1,18 +1,27 @@
 // The window's loop: events in, commands to the runner, frames out.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "app/context/glfw_window.h"
+#include "app/view/pick.h"
+#include "app/window/arena_marks.h"
 #include "app/window/arena_view.h"
 #include "app/window/controls.h"
+#include "app/window/film.h"
 #include "app/window/gui.h"
 #include "app/window/live_job.h"
 #include "app/window/painter.h"
+#include "app/window/panels/dialogs.h"
+#include "app/window/panels/legend_panel.h"
 #include "app/window/panels/panels.h"
+#include "app/window/scene_desk.h"
+#include "app/window/selection.h"
 #include "app/window/session/redraw_schedule.h"
 #include "app/window/session/runner.h"
+#include "app/window/settings.h"
 #include "app/window/test_events.h"
 
 namespace pupflow::window {
@@ -22,7 +31,7 @@ namespace pupflow::window {
 class LiveWindow {
  public:
   /// Opens the window. Throws Failure and InvalidParams.
-  explicit LiveWindow(const LiveJob& job);
+  LiveWindow(const LiveJob& job, const Settings& settings);
   LiveWindow(const LiveWindow&) = delete;
   LiveWindow& operator=(const LiveWindow&) = delete;
 
@@ -30,15 +39,22 @@ class LiveWindow {
   void run();
 
  private:
+  struct DrawnArena {  // in this frame
+    PixelBox place;
+    bool anew;
+    int samples;
+  };
+
   // live_window.cpp: the loop and its frames.
   bool closing() const;
   void wait_for_events();
   void follow_visibility();
   void exchange_snapshots(double now);
   void frame(double now);
-  void observe(bool observed);
+  Layout lay_out();
   void fit_scale();
-  void paint(const Layout& layout);
+  DrawnArena draw_arena(const Layout& layout);
+  void paint(const DrawnArena& drawn);
 
   // live_actions.cpp: what keys, buttons and the mouse do.
   void install_callbacks();
@@ -48,23 +64,83 @@ class LiveWindow {
   void move_camera(const Area& arena, double now);
   void carry_out(double now);
   void perform(Action action, double now);
+  void close_front();
   void take_picture();
+  void save_csv(StepRange steps);
   void show(const std::string& message);
+
+  // live_film.cpp: films.
+  void switch_film();
+  void film_snapshot();
+  bool film_takes(Action action);
+  void film_follows(const Command& command);
+  void end_film();
+
+  // live_desk.cpp: scenes, settings, closing.
+  void install_desk_callbacks();
+  bool changed() const;
+  void desk_frame(const PanelInput& input);
+  void desk_action(Action action);
+  void ask_before(const std::string& what, std::function<void()> next);
+  void answer(const Dialogs::Answer& answer);
+  void ask_for_name();
+  bool save_as(const std::string& path);
+  void open(const std::string& source);
+  void take(const Opened& opened);
+  void open_dropped(const std::string& path);
+  void quit();
+  void copy_command();
+  void resize_text(int direction);
+  void switch_full_screen();
+  Settings present() const;
+  void keep_settings();
+  void show_title();
+
+  // live_pointer.cpp: what the mouse and keys do with single pups.
+  struct Pulled {  // by the mouse
+    int pup;
+    Eigen::Vector3d middle;  // when the mouse took it
+  };
+  static constexpr float kStillPixels = 4;  // a press that moved no further is a click
+  view::Ray sight_at_mouse(const Area& arena) const;
+  void point_at_pups(const Area& arena);
+  void begin_pull(int pup);
+  void pull(const Area& arena);
+  void end_pull();
+  void lead_camera(double now);
+  view::Marks selection_marks() const;
+  void perform_on_pup(Action action);
 
   LiveJob job_;
   context::GlfwWindow window_;  // outlives everything that lives in its context
   Painter painter_;
   ArenaView arena_;
+  ArenaMarks marks_;
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
   Controls controls_;
   Panels panels_;
+  LegendPanel legend_;
   TestEvents events_;
+  Tips tips_;
   Runner runner_;
   RedrawSchedule schedule_;
+  std::unique_ptr<Film> film_;
+  bool film_holds_ = false;  // it takes no further steps
+  SceneDesk desk_;
+  Dialogs dialogs_;
+  std::function<void()> next_;   // once the changes are saved or discarded; empty: nothing
+  Settings settings_, written_;  // to keep, and as the file has them
+  Settings seen_;                // the window as it was when they were last looked at
+  const LitterField* seen_field_ = nullptr;
+  bool settings_fail_ = false;  // it was said
+  std::string title_;
+  Area windowed_;  // where the window was before it was full screen
+  CameraGuide guide_;
+  bool pressed_arena_ = false;  // the left button went down over it, for a click or to turn it
+  std::optional<Pulled> pulled_;
   std::string message_;
   view::ColorScale scale_;  // the look's, fitted to the snapshot that is shown
   double scale_time_ = 0;   // model seconds of the snapshot that it was fitted to
-  bool observed_ = false;   // the panels showed the observables in the last frame
 };
 
 }  // namespace pupflow::window

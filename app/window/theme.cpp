@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 #include "app/view/font.h"
+#include "app/window/imgui_compat.h"
 
 namespace pupflow::window {
 namespace {
@@ -27,35 +29,98 @@ ImFont* add_font(float size) {
                                                     &config, kRanges.data());
 }
 
+constexpr ImU32 rgb(int red, int green, int blue) {
+  return IM_COL32(red, green, blue, 255);
+}
+
+constexpr Palette kLight{.ink = rgb(38, 42, 48),
+                         .faint = rgb(88, 95, 104),
+                         .accent = rgb(16, 92, 121),
+                         .bad = rgb(168, 32, 32),
+                         .paper_ink = rgb(38, 42, 48),
+                         .paper_faint = rgb(88, 95, 104),
+                         .paper = rgb(255, 255, 255),
+                         .panel = rgb(246, 247, 249),
+                         .menu = rgb(233, 236, 240),
+                         .popup = rgb(255, 255, 255),
+                         .bad_panel = rgb(253, 236, 234),
+                         .field = rgb(226, 230, 235),
+                         .field_hovered = rgb(217, 226, 232),
+                         .field_active = rgb(208, 222, 230),
+                         .button = rgb(223, 228, 233),
+                         .button_hovered = rgb(208, 222, 230),
+                         .button_active = rgb(204, 220, 228),
+                         .header = rgb(233, 236, 240),
+                         .header_hovered = rgb(219, 228, 234),
+                         .header_active = rgb(208, 222, 230),
+                         .line = rgb(208, 213, 219),
+                         .grab = rgb(141, 190, 209),
+                         .grab_active = rgb(104, 170, 195)};
+
+constexpr Palette kDark{.ink = rgb(225, 229, 234),
+                        .faint = rgb(166, 174, 184),
+                        .accent = rgb(122, 200, 228),
+                        .bad = rgb(255, 150, 142),
+                        .paper_ink = kLight.paper_ink,
+                        .paper_faint = kLight.paper_faint,
+                        .paper = kLight.paper,
+                        .panel = rgb(30, 33, 37),
+                        .menu = rgb(38, 42, 47),
+                        .popup = rgb(38, 42, 47),
+                        .bad_panel = rgb(60, 28, 28),
+                        .field = rgb(48, 53, 60),
+                        .field_hovered = rgb(54, 63, 71),
+                        .field_active = rgb(52, 67, 77),
+                        .button = rgb(50, 56, 63),
+                        .button_hovered = rgb(54, 67, 76),
+                        .button_active = rgb(40, 66, 78),
+                        .header = rgb(40, 45, 51),
+                        .header_hovered = rgb(50, 60, 68),
+                        .header_active = rgb(52, 67, 77),
+                        .line = rgb(70, 77, 86),
+                        .grab = rgb(58, 108, 130),
+                        .grab_active = rgb(66, 132, 158)};
+
+const Palette* in_use = &kLight;  // of the only window
+
 ImVec4 color(ImU32 packed, float alpha = 1) {
   ImVec4 value = ImGui::ColorConvertU32ToFloat4(packed);
   value.w = alpha;
   return value;
 }
 
-void set_colors(ImGuiStyle& style) {
-  ImGui::StyleColorsLight(&style);
-  ImVec4* const colors = style.Colors;
-  colors[ImGuiCol_Text] = color(kInk);
-  colors[ImGuiCol_TextDisabled] = color(kFaint);
-  colors[ImGuiCol_WindowBg] = color(IM_COL32(246, 247, 249, 255));
-  colors[ImGuiCol_MenuBarBg] = color(IM_COL32(233, 236, 240, 255));
-  colors[ImGuiCol_PopupBg] = color(IM_COL32(255, 255, 255, 255));
-  colors[ImGuiCol_Border] = color(kLine);
-  colors[ImGuiCol_FrameBg] = color(IM_COL32(226, 230, 235, 255));
-  colors[ImGuiCol_FrameBgHovered] = color(IM_COL32(214, 224, 231, 255));
-  colors[ImGuiCol_FrameBgActive] = color(IM_COL32(202, 219, 228, 255));
-  colors[ImGuiCol_SliderGrab] = color(IM_COL32(141, 190, 209, 255));  // text runs across it
-  colors[ImGuiCol_SliderGrabActive] = color(IM_COL32(104, 170, 195, 255));
-  colors[ImGuiCol_CheckMark] = color(kAccent);
-  colors[ImGuiCol_Button] = color(IM_COL32(221, 227, 232, 255));
-  colors[ImGuiCol_ButtonHovered] = color(IM_COL32(201, 218, 227, 255));
-  colors[ImGuiCol_ButtonActive] = color(IM_COL32(176, 203, 217, 255));
-  colors[ImGuiCol_Header] = color(IM_COL32(233, 236, 240, 255));
-  colors[ImGuiCol_HeaderHovered] = color(IM_COL32(219, 228, 234, 255));
-  colors[ImGuiCol_HeaderActive] = color(IM_COL32(202, 219, 228, 255));
-  colors[ImGuiCol_Separator] = color(kLine);
-  colors[ImGuiCol_TextSelectedBg] = color(kAccent, 0.3f);
+/// Colors without a place of their own in Palette are those of Dear ImGui.
+void set_colors(Theme theme, ImGuiStyle& style) {
+  if (theme == Theme::light) {
+    ImGui::StyleColorsLight(&style);
+  } else {
+    ImGui::StyleColorsDark(&style);
+  }
+  const Palette& of = palette();
+  const std::pair<ImGuiCol, ImU32> places[] = {{ImGuiCol_Text, of.ink},
+                                               {ImGuiCol_TextDisabled, of.faint},
+                                               {ImGuiCol_WindowBg, of.panel},
+                                               {ImGuiCol_MenuBarBg, of.menu},
+                                               {ImGuiCol_PopupBg, of.popup},
+                                               {ImGuiCol_TitleBg, of.menu},
+                                               {ImGuiCol_TitleBgActive, of.menu},
+                                               {ImGuiCol_Border, of.line},
+                                               {ImGuiCol_FrameBg, of.field},
+                                               {ImGuiCol_FrameBgHovered, of.field_hovered},
+                                               {ImGuiCol_FrameBgActive, of.field_active},
+                                               {ImGuiCol_SliderGrab, of.grab},
+                                               {ImGuiCol_SliderGrabActive, of.grab_active},
+                                               {ImGuiCol_CheckMark, of.accent},
+                                               {ImGuiCol_Button, of.button},
+                                               {ImGuiCol_ButtonHovered, of.button_hovered},
+                                               {ImGuiCol_ButtonActive, of.button_active},
+                                               {ImGuiCol_Header, of.header},
+                                               {ImGuiCol_HeaderHovered, of.header_hovered},
+                                               {ImGuiCol_HeaderActive, of.header_active},
+                                               {ImGuiCol_Separator, of.line},
+                                               {kCursorColor, of.accent}};
+  for (const auto& [place, packed] : places) style.Colors[place] = color(packed);
+  style.Colors[ImGuiCol_TextSelectedBg] = color(of.accent, 0.3f);
 }
 
 }  // namespace
@@ -68,13 +133,22 @@ Fonts load_fonts(float scale, float density) {
   fonts.text = add_font(kTextSize * pixels);
   fonts.small = add_font(kSmallSize * pixels);
   fonts.title = add_font(kTitleSize * pixels);
-  io.FontGlobalScale = 1 / density;
+  set_font_scale(1 / density);
   return fonts;
 }
 
-void apply_theme(float scale) {
+const Palette& palette_of(Theme theme) {
+  return theme == Theme::light ? kLight : kDark;
+}
+
+const Palette& palette() {
+  return *in_use;
+}
+
+void apply_theme(Theme theme, float scale) {
+  in_use = &palette_of(theme);
   ImGuiStyle style;
-  set_colors(style);
+  set_colors(theme, style);
   style.WindowPadding = {12, 12};
   style.FramePadding = {7, 3};
   style.ItemSpacing = {7, 5};
@@ -89,16 +163,18 @@ void apply_theme(float scale) {
   style.GrabMinSize = 11;
   style.WindowBorderSize = 1;
   style.ScaleAllSizes(scale);
+  const float fonts = font_scale();  // in later versions part of the style
   ImGui::GetStyle() = style;
+  set_font_scale(fonts);
 }
 
 float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
                      std::string_view text) {
-  const float ratio = ImGui::GetIO().FontGlobalScale;
-  const float drop = 0.32f * fonts.text->FontSize * ratio;
+  const float ratio = font_scale();
+  const float drop = 0.32f * pixel_size(*fonts.text) * ratio;
   float x = place.x;
   const auto draw = [&](ImFont* font, float y, std::string_view part) {
-    const float size = font->FontSize * ratio;
+    const float size = pixel_size(*font) * ratio;
     list.AddText(font, size, {x, y}, color, part.data(), part.data() + part.size());
     x += font->CalcTextSizeA(size, FLT_MAX, 0, part.data(), part.data() + part.size()).x;
   };

@@ -5,6 +5,8 @@
 
 #include <string_view>
 
+#include "app/window/theme_choice.h"
+
 namespace pupflow::window {
 
 /// The typeface in the sizes in use. They belong to the current Dear ImGui context.
@@ -19,15 +21,36 @@ struct Fonts {
 /// made anew afterwards.
 Fonts load_fonts(float scale, float density);
 
-/// Colors, margins and roundings, the latter two `scale` times their ordinary size.
-void apply_theme(float scale);
+/// The colors of a theme.
+struct Palette {
+  // Text: on panels, less important, that can be worked with, wrong; and the same on paper.
+  ImU32 ink, faint, accent, bad;
+  ImU32 paper_ink, paper_faint;
+  // Surfaces that text stands on. The arena lies on paper in every theme, as pictures do.
+  ImU32 paper, panel, menu, popup, bad_panel;
+  ImU32 field, field_hovered, field_active;     // of sliders and what is typed into
+  ImU32 button, button_hovered, button_active;  // also of list entries
+  ImU32 header, header_hovered, header_active;
+  // Neither.
+  ImU32 line, grab, grab_active;
+};
 
-// Colors beyond those of ImGuiCol_.
-constexpr ImU32 kInk = IM_COL32(38, 42, 48, 255);
-constexpr ImU32 kFaint = IM_COL32(112, 119, 128, 255);
-constexpr ImU32 kAccent = IM_COL32(22, 110, 143, 255);
-constexpr ImU32 kLine = IM_COL32(208, 213, 219, 255);
-constexpr ImU32 kBad = IM_COL32(176, 38, 38, 255);
+const Palette& palette_of(Theme theme);
+
+/// Of the theme that was applied last; the light one before.
+const Palette& palette();
+
+/// A color by what it is for: it is that of the theme in use.
+struct Role {
+  ImU32 Palette::*color;
+  operator ImU32() const { return palette().*color; }  // NOLINT(google-explicit-constructor)
+};
+constexpr Role kInk{&Palette::ink}, kFaint{&Palette::faint}, kAccent{&Palette::accent},
+    kLine{&Palette::line}, kBad{&Palette::bad}, kBadPanel{&Palette::bad_panel},
+    kPaperInk{&Palette::paper_ink}, kPaperFaint{&Palette::paper_faint};
+
+/// Colors, margins and roundings, the latter two `scale` times their ordinary size.
+void apply_theme(Theme theme, float scale);
 
 /// Draws UTF-8 text at `place` on `list`; letters and digits after '_' are set as a subscript.
 /// Returns its width.

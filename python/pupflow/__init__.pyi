@@ -770,7 +770,7 @@ class Litter:
 
         color_by: a field of a pup or an afferent. colormap: by default the field's. scale (low, high): by default
         the middle 90 % of what is seen, where the field has a scale.
-        camera: 'top', 'side' or 'orbit:azimuth,elevation[,distance]'. bar: draw the legend.
+        camera: 'top', 'side' or 'orbit:azimuth,elevation[,distance[,view]]'. bar: draw the legend.
         Raises RuntimeError where there is no OpenGL, with what to install.
         """
     @property

@@ -54,6 +54,30 @@ TEST(Camera, OrbitReadsAnglesAndDistance) {
   EXPECT_NO_THROW(Camera::parse("orbit:-12.5,-90"));
 }
 
+TEST(Camera, AViewIsTheAngleFromBottomToTop) {
+  const Camera usual = Camera::parse("orbit:30,45,8"), wide = Camera::parse("orbit:30,45,8,90");
+  EXPECT_NEAR(usual.half_height(), 8 * std::tan(15 * kDegrees), 1e-12);
+  EXPECT_NEAR(wide.half_height(), 8, 1e-12);
+  const Vector at_the_top = wide.target() + 8 * wide.up();
+  EXPECT_NEAR(project(wide, 1.5, kBounds, at_the_top).y(), 1, 1e-6);
+}
+
+TEST(Camera, ACameraAlongTheFloorLooksStraightAheadAndCanBeWrittenDown) {
+  const Vector eye(0.4, -0.3, 0.2);
+  const Camera camera = Camera::along(eye, 2, 0.25, 1.5);
+  EXPECT_LT(distance_between(camera.eye(), eye), 1e-12);
+  EXPECT_LT(distance_between(-camera.backward(), Vector(std::cos(2), std::sin(2), 0)), 1e-12);
+  EXPECT_LT(distance_between(camera.up(), Vector::UnitZ()), 1e-12);
+  Camera framed = camera;
+  framed.frame(2, 0.6, 1.5);
+  EXPECT_EQ(framed, camera) << "framing leaves it alone";
+  Camera read = Camera::parse(camera.spec());
+  read.look_at(camera.target());
+  EXPECT_LT(distance_between(read.eye(), eye), 1e-12);
+  EXPECT_NEAR(read.half_height(), camera.half_height(), 1e-12);
+  EXPECT_LT(distance_between(read.backward(), camera.backward()), 1e-12);
+}
+
 TEST(Camera, AxesAreRightHandedAtTheZenithToo) {
   for (const char* spec : {"top", "side", "orbit:200,89.9", "orbit:10,90", "orbit:77,-90"}) {
     const Camera camera = Camera::parse(spec);
@@ -78,7 +102,9 @@ TEST(Camera, RefusesWhatIsNoCamera) {
                            "orbit:30,35,0",
                            "orbit:30,35,-4",
                            "orbit:30,35,1e7",
-                           "orbit:30,35,9,1",
+                           "orbit:30,35,9,0.9",
+                           "orbit:30,35,9,151",
+                           "orbit:30,35,9,40,1",
                            "orbit:30 ,35",
                            "orbit:nan,35",
                            "orbit:inf,35",
@@ -192,6 +218,31 @@ TEST(Camera, PanMovesTheSceneByThatShareOfThePicture) {
     EXPECT_NEAR(moved.x(), 2 * 0.25, 1e-5) << spec;
     EXPECT_NEAR(moved.y(), 2 * -0.1, 1e-5) << spec;
   }
+}
+
+TEST(Camera, ZoomTowardsAPlaceKeepsWhatLiesThere) {
+  for (const char* spec : {"top", "side", "orbit:30,35,9", "orbit:-100,80"}) {
+    for (const double factor : {1.1, 3.0, 0.5}) {
+      Camera camera = Camera::parse(spec);
+      camera.frame(2, 0.6, 1);
+      const double right = 0.31, up = -0.22;
+      const Vector there =
+          camera.target() + 2 * camera.half_height() * (right * camera.right() + up * camera.up());
+      const double distance = camera.distance();
+      camera.zoom_at(factor, right, up);
+      EXPECT_DOUBLE_EQ(camera.distance(), distance / factor) << spec;
+      const Vector seen = project(camera, 1, kBounds, there);
+      EXPECT_NEAR(seen.x(), 2 * right, 1e-5) << spec;
+      EXPECT_NEAR(seen.y(), 2 * up, 1e-5) << spec;
+    }
+  }
+}
+
+TEST(Camera, ZoomTowardsAPlaceStaysWhereItIsAtItsLimit) {
+  Camera camera = Camera::parse("orbit:30,35,0.05");
+  const Vector target = camera.target();
+  camera.zoom_at(2, 0.4, 0.4);
+  EXPECT_EQ(camera.target(), target);
 }
 
 TEST(Camera, ZoomDividesTheDistanceWithinLimits) {

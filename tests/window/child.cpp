@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support/scratch.h"
+
 extern char** environ;
 
 namespace pupflow::testing {
@@ -26,7 +28,11 @@ std::string name_of(const std::string& setting) {
   return setting.substr(0, setting.find('='));
 }
 
-std::vector<std::string> merged(const Environment& changes) {
+std::vector<std::string> merged(Environment changes) {
+  const bool chosen = std::any_of(changes.begin(), changes.end(), [](const std::string& change) {
+    return name_of(change) == "XDG_CONFIG_HOME";
+  });
+  if (!chosen) changes.push_back("XDG_CONFIG_HOME=" + config_folder());
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const bool changed =
@@ -48,6 +54,11 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 }
 
 }  // namespace
+
+std::string config_folder() {
+  static const test::Scratch scratch;
+  return scratch.folder().string();
+}
 
 Child::Child(const ChildOptions& options) {
   std::array<int, 2> pipe{};
@@ -85,8 +96,8 @@ Child::~Child() {
   close(error_file_);
 }
 
-std::optional<std::string> Child::read_line() {
-  const auto give_up = Clock::now() + kPatience;
+std::optional<std::string> Child::read_line(std::chrono::milliseconds patience) {
+  const auto give_up = Clock::now() + patience;
   while (true) {
     const std::size_t end = buffer_.find('\n');
     if (end != std::string::npos) {
@@ -97,7 +108,7 @@ std::optional<std::string> Child::read_line() {
     const auto left =
         std::chrono::duration_cast<std::chrono::milliseconds>(give_up - Clock::now()).count();
     pollfd waiting{output_, POLLIN, 0};
-    if (left <= 0 || poll(&waiting, 1, static_cast<int>(left)) <= 0) return {};
+    if (poll(&waiting, 1, static_cast<int>(std::max<long>(left, 0))) <= 0) return {};
     std::array<char, 4096> bytes;
     const ssize_t count = read(output_, bytes.data(), bytes.size());
     if (count <= 0) return {};

@@ -12,6 +12,10 @@ namespace pupflow::testing {
 
 using Environment = std::vector<std::string>;  // NAME=value
 
+/// Where children keep their settings instead of the user's XDG_CONFIG_HOME: what one of them keeps,
+/// the next one of this process finds.
+std::string config_folder();
+
 struct ChildOptions {
   std::vector<std::string> arguments;  // the program first, found on PATH
   Environment environment;             // added to this process' own; "NAME" alone takes it away
@@ -30,8 +34,11 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// The next line of its standard output; nothing at its end or when none comes for kPatience.
-  std::optional<std::string> read_line();
+  /// The next line of its standard output; nothing at its end or when none comes for that long.
+  std::optional<std::string> read_line(std::chrono::milliseconds patience = kPatience);
+
+  /// The process, for /proc; -1 once its end was waited for.
+  pid_t pid() const { return pid_; }
 
   void send_signal(int signal) const;
 

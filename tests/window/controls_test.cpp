@@ -30,16 +30,79 @@ TEST(Controls, AnUnsoundProposalIsRefusedWithItsReason) {
   EXPECT_TRUE(controls.commands.empty()) << "nothing changed";
 }
 
-TEST(Controls, SpeedStaysInItsRange) {
+double asked_speed(const Controls& controls) {
+  return std::get<Speed>(controls.commands.back()).factor;
+}
+
+TEST(Controls, ASpeedIsTakenAsItIsAndTheKeysStayOnTheSlider) {
   Controls controls;
-  controls.set_speed(1e9);
-  EXPECT_EQ(std::get<Speed>(controls.commands.back()).factor, Controls::kFastest);
-  controls.set_speed(0);
-  EXPECT_EQ(std::get<Speed>(controls.commands.back()).factor, Controls::kSlowest);
+  controls.set_speed(1000);
+  EXPECT_EQ(asked_speed(controls), 1000);
+  controls.faster();
+  EXPECT_EQ(asked_speed(controls), 1000) << "a key does not slow down either";
+  controls.slower();
+  EXPECT_EQ(asked_speed(controls), 500);
+  controls.set_speed(48);
+  controls.faster();
+  EXPECT_EQ(asked_speed(controls), Controls::kFastest);
+  controls.set_speed(0.1);
+  controls.slower();
+  EXPECT_EQ(asked_speed(controls), Controls::kSlowest);
+}
+
+TEST(Controls, BelowAsFastAsPossibleComesTheSpeedBefore) {
+  Controls controls;
+  controls.set_speed(4);
   controls.set_as_fast(true);
-  EXPECT_TRUE(std::isinf(std::get<Speed>(controls.commands.back()).factor));
-  controls.set_as_fast(false);
-  EXPECT_EQ(std::get<Speed>(controls.commands.back()).factor, Controls::kSlowest);
+  EXPECT_TRUE(std::isinf(asked_speed(controls)));
+  controls.slower();
+  EXPECT_EQ(asked_speed(controls), 4);
+  EXPECT_FALSE(controls.as_fast);
+}
+
+TEST(Controls, OneParameterIsCheckedInItsOwnRangeFirst) {
+  Controls controls;
+  controls.propose(*find_parameter("alpha"), 7);
+  EXPECT_TRUE(controls.commands.empty());
+  EXPECT_EQ(controls.problem_at, "alpha");
+  controls.propose(*find_parameter("alpha"), 0.5);
+  EXPECT_EQ(std::get<Edit>(controls.commands.back()).params.rigidity, 0.5);
+  EXPECT_EQ(controls.problem_at, "");
+}
+
+TEST(Controls, FollowsWhatTheRunHasChangedAndNothingElse) {
+  Controls controls;
+  controls.propose(*find_parameter("pups"), 20);  // on its way
+  LiveState state;
+  Params params;
+  params.ambient_temperature = 0.2;  // by a ramp, undo, going back
+  state.litter.take(Simulation(params), false);
+  controls.follow(state);
+  EXPECT_EQ(controls.params.ambient_temperature, 0.2);
+  EXPECT_EQ(controls.params.pups, 20);
+}
+
+TEST(Controls, GoesToStepsOfTheRunOnlyAndRemembersWhichUntilItIsShown) {
+  Controls controls;
+  LiveState state;
+  state.timeline.last = 500;
+  controls.go_to(900, state.timeline);
+  EXPECT_EQ(std::get<GoTo>(controls.commands.back()).step, 500);
+  EXPECT_EQ(controls.shown_step(state), 500);
+  controls.go_to(controls.shown_step(state) - 1, state.timeline);
+  EXPECT_EQ(std::get<GoTo>(controls.commands.back()).step, 499) << "from where it is going";
+  controls.follow(state);
+  EXPECT_EQ(controls.shown_step(state), 499) << "not there yet";
+  Simulation simulation(Params{});
+  simulation.run(2);
+  state.litter.take(simulation, false);
+  controls.go_to(2, state.timeline);
+  controls.follow(state);
+  EXPECT_FALSE(controls.going_to) << "there";
+  controls.go_to(400, state.timeline);
+  state.playing = true;
+  controls.follow(state);
+  EXPECT_FALSE(controls.going_to) << "playing on";
 }
 
 TEST(Controls, AnotherFieldHasTheScaleOfItsKind) {

@@ -17,13 +17,15 @@ std::string headless_hash(const Params& params, std::int64_t steps) {
   return text.str();
 }
 
-void Live::open(const std::vector<std::string>& options) {
+void Live::open(const std::vector<std::string>& options, const Environment& variables) {
   std::vector<std::string> arguments{PUPFLOW_PROGRAM, "live", "--test-events"};
   arguments.insert(arguments.end(), options.begin(), options.end());
+  window_.reset();
   widgets_.clear();
-  window_ = std::make_unique<Child>(ChildOptions{.arguments = arguments,
-                                                 .environment = screen_.environment(),
-                                                 .folder = scratch_.folder().string()});
+  Environment environment = screen_.environment();
+  environment.insert(environment.end(), variables.begin(), variables.end());
+  window_ = std::make_unique<Child>(ChildOptions{
+      .arguments = arguments, .environment = environment, .folder = scratch_.folder().string()});
   await("camera ");  // printed with the first frame, after the widgets
 }
 
@@ -39,9 +41,13 @@ std::string Live::await(const std::string& start) {
   throw std::runtime_error("not what was waited for");
 }
 
+void Live::settle(std::chrono::milliseconds quiet) {
+  while (const auto line = window_->read_line(quiet)) remember(*line);
+}
+
 Box Live::widget(const std::string& name) {
   if (widgets_.count(name) == 0) await("widget " + name + ' ');
-  return widgets_.at(name);
+  return widgets_.at(name).box;
 }
 
 void Live::click(const std::string& name) {
@@ -65,12 +71,17 @@ void Live::type(const std::string& text) {
 
 void Live::remember(const std::string& line) {
   std::istringstream words(line);
-  std::string kind, name;
-  Box box;
-  if (words >> kind && kind == "widget" &&
-      words >> name >> box.x >> box.y >> box.width >> box.height) {
-    widgets_[name] = box;
-  }
+  std::string kind, name, in, more;
+  words >> kind >> name;
+  if (kind == "gone") widgets_.erase(name);
+  if (kind != "widget") return;
+  const auto read = [&](Box& box) { words >> box.x >> box.y >> box.width >> box.height; };
+  Widget widget;
+  read(widget.box);
+  words >> in >> widget.panel;
+  read(widget.shown);
+  widget.scrolls = words >> more && more == "scrolls";
+  widgets_[name] = widget;
 }
 
 }  // namespace pupflow::testing

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -24,22 +25,33 @@ struct Box {
   int middle_y() const { return y + height / 2; }
 };
 
+/// A widget as its line says it.
+struct Widget {
+  Box box;
+  std::string panel;
+  Box shown;             // the part of the panel that shows widgets
+  bool scrolls = false;  // there is more to see in the panel by scrolling
+};
+
 /// What `hash` lines say, from a simulation without any window.
 std::string headless_hash(const Params& params, std::int64_t steps);
 
 class Live : public ::testing::Test {
  protected:
-  /// Opens the window and waits until it stands.
-  void open(const std::vector<std::string>& options = {});
+  /// Opens the window and waits until it stands. A window that was open is gone.
+  void open(const std::vector<std::string>& options = {}, const Environment& variables = {});
 
   /// The rest of the next line that starts with `start`. Fails the test when none comes.
   std::string await(const std::string& start);
 
-  /// Where a widget was last said to be; waits for it when it was not seen yet.
+  /// Reads what was printed until nothing comes for `quiet`.
+  void settle(std::chrono::milliseconds quiet = std::chrono::milliseconds(500));
+
+  /// Where a widget is; waits for it when it cannot be seen yet.
   Box widget(const std::string& name);
 
-  /// All widgets said so far, each where it was last.
-  const std::map<std::string, Box>& widgets() const { return widgets_; }
+  /// All widgets that can be seen, by what was read so far.
+  const std::map<std::string, Widget>& widgets() const { return widgets_; }
 
   void click(const std::string& name);
 
@@ -58,7 +70,7 @@ class Live : public ::testing::Test {
  private:
   void remember(const std::string& line);
 
-  std::map<std::string, Box> widgets_;
+  std::map<std::string, Widget> widgets_;
 };
 
 }  // namespace pupflow::testing

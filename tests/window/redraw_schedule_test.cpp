@@ -241,6 +241,17 @@ TEST(RedrawSchedule, ANewMessageHasItsFullTime) {
   EXPECT_FALSE(schedule.shows_message());
 }
 
+TEST(RedrawSchedule, PanelsThatChangeByThemselvesAreDrawnAtTheEarliestOfTheirTimes) {
+  Schedule schedule = paused();
+  schedule.begin_frame(1);
+  schedule.wake_at(1.5);
+  schedule.wake_at(2);
+  schedule.end_frame();
+  EXPECT_NEAR(schedule.sleep(1.4), 0.1, 1e-9);
+  EXPECT_FALSE(schedule.frame_due(1.4));
+  EXPECT_EQ(frames_between(schedule, 1.5, 9), 1) << "that frame asks for no other";
+}
+
 TEST(RedrawSchedule, ACursorBlinksUntilAFrameShowsNone) {
   Schedule schedule = paused();
   schedule.begin_frame(1);

@@ -124,6 +124,35 @@ TEST(Runner, OfEditsInARowTheLastOneCounts) {
   EXPECT_EQ(snapshot.hash, simulation.hash());
 }
 
+TEST(Runner, OfADragOverTheTimelineTheLastPlaceCounts) {
+  Watched runner(false);
+  runner->send(Advance{1000});
+  runner.await([](const LiveState& s) { return s.view().step == 1000; });
+  for (std::int64_t step = 1000; step > 137; --step) runner->send(GoTo{step});
+  runner->send(GoTo{137});
+  const LiveState& there = runner.await([](const LiveState& s) { return s.view().step == 137; });
+  Simulation simulation(small_litter());
+  simulation.run(137);
+  EXPECT_EQ(there.hash, simulation.hash());
+  EXPECT_EQ(there.timeline.last, 1000);
+  EXPECT_FALSE(there.playing);
+}
+
+TEST(Runner, ADragOfASliderIsOneEdit) {
+  Watched runner(false);
+  Params before = small_litter();
+  for (const double ta : {0.1, 0.2, 0.3, 0.35}) {
+    Params edited = before;
+    edited.ambient_temperature = ta;
+    runner->send(Edit{edited, before, ta != 0.1});
+    before = edited;
+  }
+  runner->send(Undo{});
+  const LiveState& undone = runner.await([](const LiveState& s) { return s.timeline.can_redo; });
+  EXPECT_EQ(undone.view().params, small_litter());
+  EXPECT_FALSE(undone.timeline.can_undo);
+}
+
 TEST(Runner, AnEditInTheMiddleOfARunIsTaken) {
   Watched runner(true);
   runner.await([](const LiveState& s) { return s.view().step > 2; });
@@ -148,8 +177,11 @@ TEST(Runner, ABadStatusIsPublishedAndPauses) {
   const LiveState& snapshot = runner.await([](const LiveState& s) { return !s.status.ok(); });
   EXPECT_FALSE(snapshot.playing);
   EXPECT_EQ(snapshot.status.kind, Status::Kind::diverged);
-  runner->send(Restart{});
-  EXPECT_TRUE(runner.await([](const LiveState& s) { return s.view().step == 0; }).status.ok());
+  const std::int64_t last = snapshot.timeline.last;
+  runner->send(GoTo{last - 1});
+  const LiveState& back =
+      runner.await([&](const LiveState& s) { return s.view().step == last - 1; });
+  EXPECT_TRUE(back.status.ok());
 }
 
 TEST(Runner, EndsWhileItRuns) {

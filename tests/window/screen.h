@@ -21,6 +21,10 @@ class Screen {
   /// Runs xdotool with these arguments. Throws std::runtime_error when it fails.
   void hand(const std::vector<std::string>& arguments) const;
 
+  /// Asks the program's window to close, as a window manager's button does. Throws
+  /// std::runtime_error without one.
+  void close_window() const;
+
   void press(const std::string& key) const { hand({"key", key}); }
   void click(int x, int y) const;
 

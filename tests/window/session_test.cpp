@@ -156,8 +156,7 @@ TEST(Session, ABadStatusPausesUntilARestart) {
   snapshot = look_at(session);
   EXPECT_TRUE(snapshot.status.ok());
   EXPECT_EQ(snapshot.view().step, 0);
-  session.apply(PlayPause{});
-  EXPECT_TRUE(session.running());
+  EXPECT_TRUE(session.running()) << "it ran when the numbers went wrong";
 }
 
 TEST(Session, RestartIsTheSameLitterAgain) {
@@ -187,26 +186,30 @@ TEST(Session, SuspendedItWantsNothingAndThenGoesOn) {
   EXPECT_TRUE(session.running());
 }
 
-TEST(Session, MeasuresOnlyWhenSomebodyLooks) {
+TEST(Session, MeasuresUnlessNobodyEverLooks) {
+  Simulation simulation(small_litter());
+  Observer observer(simulation);
+  simulation.step();
+  observer.observe(simulation);
+
   Session session(small_litter(), true);
   session.step();
+  ASSERT_TRUE(look_at(session).observables);
+  EXPECT_EQ(look_at(session).observables->mean_tb, observer.last().mean_tb);
+  EXPECT_EQ(look_at(session).observables->flow, observer.last().flow);
+  EXPECT_EQ(look_at(session).history.last(), 1);
+
+  session.apply(Observe{false});
+  session.step();
   EXPECT_FALSE(look_at(session).observables);
+  EXPECT_EQ(look_at(session).history.last(), 1) << "what was seen stays";
 
   session.apply(Observe{true});
   session.step();  // only shows the observer where things stand
   EXPECT_FALSE(look_at(session).observables);
   session.step();
   ASSERT_TRUE(look_at(session).observables);
-
-  Simulation simulation(small_litter());
-  simulation.run(2);
-  Observer observer(simulation);
-  simulation.step();
-  EXPECT_EQ(look_at(session).observables->mean_tb, observer.observe(simulation).mean_tb);
-  EXPECT_EQ(look_at(session).observables->flow, observer.last().flow);
-
-  session.apply(Observe{false});
-  EXPECT_FALSE(look_at(session).observables);
+  EXPECT_EQ(look_at(session).history.last(), 4);
 }
 
 TEST(Session, RecordsWhatTheFieldInColorsNeeds) {
@@ -219,14 +222,32 @@ TEST(Session, RecordsWhatTheFieldInColorsNeeds) {
   }
   const LiveState seen = look_at(session);
   EXPECT_FALSE(is_known(*find_field("strain"), seen.view())) << "only what is shown is recorded";
+  session.apply(Watch{.parts = {Part::strain}, .velocities = true});
+  session.step();
+  EXPECT_TRUE(is_known(*find_field("strain"), look_at(session).view()));
+  EXPECT_FALSE(look_at(session).view().velocities.empty());
   Simulation simulation(small_litter());
   simulation.run(5);
   EXPECT_EQ(seen.hash, simulation.hash());
 }
 
+TEST(Session, AtRestTheLastStepIsTakenAgainForWhatIsNowShown) {
+  Session session(small_litter(), false);
+  for (int i = 0; i < 5; ++i) session.step();
+  const LiveState before = look_at(session);
+  session.apply(Watch{.parts = {Part::strain, Part::sides}});
+  while (session.hurried()) session.step();
+  const LiveState after = look_at(session);
+  EXPECT_TRUE(is_known(*find_field("strain"), after.view()));
+  EXPECT_TRUE(is_known(*find_field("side"), after.view()));
+  EXPECT_EQ(after.hash, before.hash);
+  ASSERT_TRUE(after.observables);
+  EXPECT_EQ(after.observables->flow, before.observables->flow);
+}
+
 TEST(Session, LookingChangesNothing) {
   Session seen(small_litter(), true), unseen(small_litter(), true);
-  seen.apply(Observe{true});
+  unseen.apply(Observe{false});
   for (int i = 0; i < 50; ++i) {
     seen.step();
     unseen.step();
@@ -241,6 +262,41 @@ TEST(Session, SaysWhetherThereIsAnythingNew) {
   EXPECT_FALSE(session.changed());
   session.step();
   EXPECT_TRUE(session.changed());
+}
+
+TEST(Session, OpenTakesAnotherRecipeWithItsSchedule) {
+  Session session(Params{}, false);
+  session.step();
+  Params other;
+  other.pups = 3;
+  other.seed = 8;
+  other.schedule.set(2, static_cast<std::size_t>(find_parameter("ta") - parameters().data()), 0.1);
+  session.apply(Open{other, {}});
+  LiveState state;
+  for (int i = 0; i < 5; ++i) session.step();
+  session.fill(state, true);
+  Simulation simulation(other);
+  simulation.run(5);
+  EXPECT_EQ(state.hash, simulation.hash());
+  EXPECT_EQ(state.view().recipe, other);
+  session.apply(Restart{});
+  session.fill(state, true);
+  EXPECT_EQ(state.view().recipe, other) << "a restart keeps the schedule";
+}
+
+TEST(Session, OpenGoesOnFromASnapshot) {
+  Params params;
+  params.seed = 4;
+  Simulation simulation(params);
+  simulation.run(20);
+  Session session(Params{}, false);
+  session.apply(Open{params, simulation.snapshot()});
+  simulation.run(5);
+  for (int i = 0; i < 5; ++i) session.step();
+  LiveState state;
+  session.fill(state, true);
+  EXPECT_EQ(state.view().step, 25);
+  EXPECT_EQ(state.hash, simulation.hash());
 }
 
 }  // namespace

@@ -15,4 +15,9 @@ struct Area {
   }
 };
 
+inline bool overlap(const Area& a, const Area& b) {
+  return a.corner.x < b.corner.x + b.size.x && b.corner.x < a.corner.x + a.size.x &&
+         a.corner.y < b.corner.y + b.size.y && b.corner.y < a.corner.y + a.size.y;
+}
+
 }  // namespace pupflow::window

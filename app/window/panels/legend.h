@@ -7,10 +7,12 @@
 
 namespace pupflow::window {
 
-/// Width that the legend of any field needs, at scale 1.
-constexpr float kLegendWidth = 128;
+/// Paints a legend that was laid out in window coordinates; `ink` for words and marks, `line` for
+/// frames and ticks.
+void paint_legend(ImDrawList& list, const view::ColorBar& layout, ImU32 ink, ImU32 line);
 
-/// The legend of a fitted scale in a strip beside the arena, with T_p marked.
-void draw_legend(const Area& strip, const view::ColorScale& scale, double tp, const Fonts& fonts);
+/// The legend of a fitted scale with its title, on paper, in a strip beside the arena, with T_p
+/// marked.
+void draw_bare_legend(const Area& strip, const view::ColorScale& scale, double tp);
 
 }  // namespace pupflow::window

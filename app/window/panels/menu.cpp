@@ -4,44 +4,167 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <string>
+#include <vector>
+
+#include "app/io/scene_file.h"
 
 namespace pupflow::window {
 namespace {
 
+constexpr const char* kScene = "Scene";
+
 /// The entries of one menu, in their order.
 struct Menu {
   const char* title;
-  std::array<Action, 8> actions;
+  std::array<Action, 12> actions;
   std::size_t count;
 };
 
 constexpr std::array kMenus{
-    Menu{"Scene", {Action::screenshot, Action::quit}, 2},
+    Menu{kScene,
+         {Action::open, Action::save, Action::save_as, Action::copy_command, Action::screenshot,
+          Action::record, Action::quit},
+         7},
     Menu{"Run",
-         {Action::play_pause, Action::step, Action::step_many, Action::restart, Action::new_seed},
-         5},
+         {Action::play_pause, Action::step, Action::step_many, Action::step_back,
+          Action::step_back_many, Action::restart, Action::new_seed},
+         7},
+    Menu{"Edit", {Action::undo, Action::redo}, 2},
     Menu{"View",
-         {Action::reset_camera, Action::top_view, Action::side_view, Action::toggle_panels},
-         4},
+         {Action::reset_camera, Action::top_view, Action::side_view, Action::next_pup,
+          Action::follow_pup, Action::pups_eye, Action::toggle_panels, Action::switch_theme,
+          Action::larger, Action::smaller, Action::usual_size, Action::full_screen},
+         12},
     Menu{"Help", {Action::toggle_help}, 1},
 };
+
+std::string capitalized(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// A name for tests: one word.
+std::string word(std::string text) {
+  std::erase(text, ' ');
+  return "menu-" + text;
+}
+
+struct Described {
+  std::string_view name;
+  std::string description;
+};
+
+/// The shipped scenes with a sentence each.
+const std::vector<Described>& shipped() {
+  static const std::vector<Described> all = [] {
+    std::vector<Described> scenes;
+    for (const io::ShippedScene& scene : io::shipped_scenes()) {
+      std::vector<std::string> none;
+      scenes.push_back(
+          {scene.name, io::parse_scene(scene.text, std::string(scene.name), none).description});
+    }
+    return scenes;
+  }();
+  return all;
+}
+
+void draw_shipped(const PanelInput& in) {
+  const bool open = ImGui::BeginMenu("Shipped scenes");
+  in.events.widget("menu-shipped");
+  if (!open) return;
+  const float em = ImGui::GetFontSize();
+  for (const Described& scene : shipped()) {
+    if (ImGui::MenuItem(std::string(scene.name).c_str())) in.controls.open = scene.name;
+    in.events.widget("menu-scene-" + std::string(scene.name));
+    ImGui::Indent(em);
+    ImGui::PushTextWrapPos(std::min(30 * em, 0.8f * ImGui::GetIO().DisplaySize.x));
+    ImGui::PushStyleColor(ImGuiCol_Text, kFaint);
+    ImGui::TextUnformatted(scene.description.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::Unindent(em);
+  }
+  ImGui::EndMenu();
+}
+
+void draw_recent(const PanelInput& in) {
+  const std::vector<std::string>& recent = in.controls.recent;
+  const bool open = ImGui::BeginMenu("Recent files", !recent.empty());
+  in.events.widget("menu-recent");
+  if (!open) return;
+  for (std::size_t i = 0; i < recent.size(); ++i) {
+    const std::string label = recent[i] + "###" + std::to_string(i);
+    if (ImGui::MenuItem(label.c_str())) in.controls.open = recent[i];
+    in.events.widget("menu-recent-" + std::to_string(i));
+  }
+  ImGui::EndMenu();
+}
+
+constexpr const char* kHidePanels = "Hide panels";
+
+/// At the right end, in every layout: what H does.
+void draw_panels_button(const PanelInput& in) {
+  const bool shown = in.controls.narrow ? in.controls.drawer : in.controls.panels;
+  const char* label = shown ? kHidePanels : "Panels";
+  const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x);
+  if (ImGui::SmallButton(label)) in.controls.actions.push_back(Action::toggle_panels);
+  in.events.widget("panels");
+  in.tips.show("Hide or show the panels (H)");
+}
+
+void draw_menus(const PanelInput& in) {
+  for (const Menu& menu : kMenus) {
+    const bool open = ImGui::BeginMenu(menu.title);
+    in.events.widget(std::string("menu-") + menu.title);
+    if (!open) continue;
+    if (menu.title == kScene) {
+      draw_shipped(in);
+      draw_recent(in);
+      ImGui::Separator();
+    }
+    for (std::size_t i = 0; i < menu.count; ++i) {
+      const KeyRow& row = key_row(menu.actions[i]);
+      if (ImGui::MenuItem(capitalized(row.doc).c_str(), row.text)) {
+        in.controls.actions.push_back(row.action);
+      }
+      in.events.widget(word(row.text));
+    }
+    if (menu.title == std::string_view("Run")) {
+      ImGui::MenuItem("Pause when minimised", nullptr, &in.controls.pause_minimised);
+      in.events.widget("pause_minimised");
+    }
+    ImGui::EndMenu();
+  }
+}
+
+/// Whether the menus stand beside each other in the bar, the button for the panels behind them.
+bool menus_fit() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float width = ImGui::CalcTextSize(kHidePanels).x + 4 * style.ItemSpacing.x;
+  for (const Menu& menu : kMenus) {
+    width += ImGui::CalcTextSize(menu.title).x + 2 * style.ItemSpacing.x;
+  }
+  return width <= ImGui::GetWindowWidth();
+}
 
 }  // namespace
 
 void draw_menu(const PanelInput& in) {
   if (!ImGui::BeginMainMenuBar()) return;
-  for (const Menu& menu : kMenus) {
-    const bool open = ImGui::BeginMenu(menu.title);
-    in.events.widget(std::string("menu-") + menu.title);
-    if (!open) continue;
-    for (std::size_t i = 0; i < menu.count; ++i) {
-      const KeyRow& row = key_row(menu.actions[i]);
-      if (ImGui::MenuItem(row.doc, row.text)) in.controls.actions.push_back(row.action);
-      in.events.widget(std::string("menu-") + row.doc);
+  if (menus_fit()) {
+    draw_menus(in);
+  } else {
+    const bool open = ImGui::BeginMenu("Menu");
+    in.events.widget("menu");
+    if (open) {
+      draw_menus(in);
+      ImGui::EndMenu();
     }
-    ImGui::EndMenu();
   }
+  draw_panels_button(in);
   ImGui::EndMainMenuBar();
 }
 

@@ -1,12 +1,19 @@
-// The observables: as numbers, and as plots of the recent past.
+// The observables: as numbers, and as plots of the run.
 #pragma once
 
 #include "app/window/panels/panel.h"
+#include "app/window/panels/plots_panel.h"
 
 namespace pupflow::window {
 
-/// Draws both parts into the current Dear ImGui window. True when one of them is open: somebody
-/// looks at the observables.
-bool draw_numbers_panel(const PanelInput& in);
+class NumbersPanel {
+ public:
+  /// Draws both parts into the current Dear ImGui window. True when one of them is open: somebody
+  /// looks at the observables.
+  bool draw(const PanelInput& in);
+
+ private:
+  PlotsPanel plots_;
+};
 
 }  // namespace pupflow::window

@@ -1,4 +1,4 @@
-// What is drawn over the arena: help, banner of a bad status, messages.
+// What is drawn over the arena: banner of a bad status, messages.
 #pragma once
 
 #include <string>
@@ -8,14 +8,12 @@
 
 namespace pupflow::window {
 
-/// The keys and what the mouse does, from their tables.
-void draw_help(const Area& arena, const PanelInput& in);
-
-/// Says where the numbers went wrong and offers to start again.
+/// Says where the numbers went wrong, and offers to start again and to show the pup.
 void draw_bad_status(const Area& arena, const PanelInput& in);
 
-/// A line for each warning at the top of the arena, while the numbers are good.
-void draw_warnings(const Area& arena, const PanelInput& in);
+/// At the top of the arena, while the numbers are good: a line for each warning, and the offer of
+/// another start for a litter that does not fit into a column.
+void draw_notices(const Area& arena, const PanelInput& in);
 
 /// A line at the bottom of the arena.
 void draw_message(const Area& arena, const std::string& text);

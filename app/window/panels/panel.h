@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/window/controls.h"
+#include "app/window/panels/tip.h"
 #include "app/window/session/session.h"
 #include "app/window/test_events.h"
 #include "app/window/theme.h"
@@ -14,6 +15,7 @@ struct PanelInput {
   Controls& controls;
   const Fonts& fonts;
   TestEvents& events;
+  Tips& tips;
   double frames_per_second = 0;  // 0 while nothing moves
 };
 

@@ -1,12 +1,12 @@
 #include "app/window/panels/panels.h"
 
+#include <array>
+#include <cmath>
 #include <string>
 
-#include "app/window/panels/look_panel.h"
+#include "app/window/panels/help.h"
 #include "app/window/panels/menu.h"
-#include "app/window/panels/numbers_panel.h"
 #include "app/window/panels/overlays.h"
-#include "app/window/panels/transport_panel.h"
 
 namespace pupflow::window {
 namespace {
@@ -16,6 +16,9 @@ constexpr ImGuiWindowFlags kPanel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+constexpr const char *kLeft = "left", *kRight = "right", *kTransport = "transport",
+                     *kMenu = "##MainMenuBar";  // Dear ImGui's name
+
 void begin_panel(const char* name, const Area& area) {
   ImGui::SetNextWindowPos(area.corner);
   ImGui::SetNextWindowSize(area.size);
@@ -24,68 +27,66 @@ void begin_panel(const char* name, const Area& area) {
   ImGui::PopStyleVar();
 }
 
-/// Always there, so that nothing moves when it speaks.
-void draw_problem(const PanelInput& in) {
-  const std::string& text = in.controls.problem.empty() ? in.state.rejected : in.controls.problem;
-  ImGui::PushStyleColor(ImGuiCol_Text, kBad);
-  ImGui::TextUnformatted(text.empty() ? " " : text.c_str());
-  ImGui::PopStyleColor();
-  if (!text.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+/// What the window being submitted needs to show everything submitted so far.
+float content_height() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  return std::ceil(ImGui::GetCursorPosY() - style.ItemSpacing.y + style.WindowPadding.y);
 }
 
-/// The model as published; the seed and what does not change the model stay.
-Params papers_values(const Params& present) {
-  Params params;
-  params.seed = present.seed;
-  params.steps = present.steps;
-  params.discard = present.discard;
-  params.flow_lag = present.flow_lag;
-  params.precision = present.precision;
-  return params;
+/// Below what scrolls, and always there, so that nothing moves when it speaks.
+void draw_problem(const PanelInput& in) {
+  const std::string& text = in.controls.problem.empty() ? in.state.rejected : in.controls.problem;
+  if (text.empty()) {
+    ImGui::TextDisabled("\u21bb restarts the litter");
+    return;
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, ImU32{kBad});
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  in.tips.show(text);
 }
 
 }  // namespace
 
+std::span<const char* const> Panels::names() {
+  static constexpr std::array kNames{kLeft, kRight, kTransport, kMenu};
+  return kNames;
+}
+
 bool Panels::draw(const Layout& layout, const PanelInput& in) {
   bool observed = false;
   draw_menu(in);
-  if (in.controls.panels) {
-    begin_panel("left", layout.left);
+  in.controls.inspected = {};
+  if (layout.left.size.x > 0) {
+    begin_panel(kLeft, layout.left);
+    constexpr int kProblemLines = 2;
+    ImGui::BeginChild("rows", {0, -kProblemLines * ImGui::GetTextLineHeightWithSpacing()});
     parameters_.draw_top(in);
-    draw_problem(in);
+    parameters_.draw_groups(in);
     if (!layout.two_panels) {
-      observed = draw_numbers_panel(in);
-      draw_look_panel(in);
+      inspector_.draw(in);
+      observed = numbers_.draw(in);
     }
-    draw_parameters(in);
+    ImGui::EndChild();
+    draw_problem(in);
     ImGui::End();
   }
   if (layout.two_panels) {
-    begin_panel("right", layout.right);
-    observed = draw_numbers_panel(in);
-    draw_look_panel(in);
+    begin_panel(kRight, layout.right);
+    inspector_.draw(in);
+    observed = numbers_.draw(in);
     ImGui::End();
   }
-  begin_panel("transport", layout.transport);
-  draw_transport_panel(in);
+  begin_panel(kTransport, layout.transport);
+  transport_.draw(in);
+  transport_height_ = content_height();
   ImGui::End();
-  draw_warnings(layout.arena, in);
+  draw_notices(layout.arena, in);
   draw_bad_status(layout.arena, in);
-  draw_help(layout.arena, in);
+  draw_help(in);
   return observed;
-}
-
-void Panels::draw_parameters(const PanelInput& in) {
-  parameters_.draw_groups(in);
-  ImGui::Spacing();
-  if (ImGui::Button("Reset to the paper's values", {-1, 0})) {
-    in.controls.propose(papers_values(in.controls.params));
-  }
-  in.events.widget("reset");
-  if (ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("All but seed and precision. The litter restarts where it must.");
-  }
-  ImGui::TextDisabled("\u21bb restarts the litter");
 }
 
 }  // namespace pupflow::window

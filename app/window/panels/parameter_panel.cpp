@@ -8,11 +8,19 @@
 #include <string>
 #include <string_view>
 
+#include "app/window/imgui_compat.h"
+#include "app/window/panels/resets.h"
+#include "app/window/typed_number.h"
+
 namespace pupflow::window {
 namespace {
 
 constexpr std::array<std::string_view, 3> kTop{"ta", "alpha", "beta"};
-constexpr const char* kRestarts = " \u21bb";  // an open circle arrow
+constexpr std::string_view kPresetOf = "ta";
+constexpr const char* kField = "##field";
+constexpr float kFieldWidth = 4.8f, kTitleWidth = 12;  // em
+constexpr float kLeastOthers = 16;                     // em; symbol, slider and field
+constexpr const char* kRestarts = " \u21bb";           // an open circle arrow
 
 bool on_top(const Parameter& parameter) {
   return std::count(kTop.begin(), kTop.end(), parameter.name) > 0;
@@ -32,27 +40,8 @@ double rounded(const Parameter& parameter, double value) {
   return std::strtod(text.data(), nullptr);
 }
 
-void propose_value(const Parameter& parameter, double value, const PanelInput& in) {
-  Problem problem;
-  if (!check_value(parameter, value, problem)) {
-    in.controls.problem = problem.message;
-    return;
-  }
-  Params candidate = in.controls.params;
-  parameter.set(candidate, value);
-  in.controls.propose(candidate);
-}
-
 void tooltip(const Parameter& parameter, const PanelInput& in) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) ||
-      ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-    return;
-  }
-  // Beside the panel, where it hides no other slider.
-  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
-  ImGui::SetNextWindowPos({right + 0.3f * ImGui::GetFontSize(), ImGui::GetItemRectMin().y});
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
+  if (!in.tips.begin()) return;
   std::string title(parameter.title);
   if (!parameter.symbol.empty()) title = std::string(parameter.symbol) + "  " + title;
   rich_text(in.fonts, kAccent, title);
@@ -68,8 +57,7 @@ void tooltip(const Parameter& parameter, const PanelInput& in) {
   if (parameter.effect == Parameter::Effect::restart) {
     ImGui::TextUnformatted("A change restarts the litter.");
   }
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+  in.tips.end();
 }
 
 void choice(const Parameter& parameter, const PanelInput& in) {
@@ -78,19 +66,72 @@ void choice(const Parameter& parameter, const PanelInput& in) {
   for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
     const std::string name(parameter.choices[i]);
     if (ImGui::Selectable(name.c_str(), name == current)) {
-      propose_value(parameter, static_cast<double>(i), in);
+      in.controls.propose(parameter, static_cast<double>(i));
     }
   }
   ImGui::EndCombo();
+}
+
+/// A slider without a number: that stands in the field beside it. True when `value` was changed.
+bool slider(const Parameter& parameter, double& value) {
+  const ImGuiSliderFlags flags =
+      ImGuiSliderFlags_NoInput | (parameter.slider_log ? ImGuiSliderFlags_Logarithmic : 0);
+  const char* const format = " ";  // without a conversion it rounds nothing
+  if (parameter.kind == Parameter::Kind::integer) {
+    long long number = std::llround(value);
+    const auto low = static_cast<long long>(parameter.slider_min);
+    const auto high = static_cast<long long>(parameter.slider_max);
+    const bool changed =
+        ImGui::SliderScalar("##slider", ImGuiDataType_S64, &number, &low, &high, format, flags);
+    value = static_cast<double>(number);
+    return changed;
+  }
+  return ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &parameter.slider_min,
+                             &parameter.slider_max, format, flags);
+}
+
+/// The title, which is a button for the parameter's menu, or why its last value was not taken.
+bool draw_title(const Parameter& parameter, const PanelInput& in) {
+  const bool refused = in.controls.problem_at == parameter.name;
+  const bool changed = parameter.get(in.controls.params) != parameter.default_value();
+  std::string text(parameter.title);
+  if (parameter.effect == Parameter::Effect::restart) text += kRestarts;
+  if (refused) text = "takes " + range_text(parameter);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size{ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()};
+  const bool pressed = ImGui::InvisibleButton("title", size);
+  in.events.widget(std::string(parameter.name) + "-menu");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end{corner.x + size.x, corner.y + size.y};
+  if (ImGui::IsItemHovered()) {
+    list.AddRectFilled(corner, end, ImGui::GetColorU32(ImGuiCol_HeaderHovered),
+                       ImGui::GetStyle().FrameRounding);
+  }
+  const float em = ImGui::GetFontSize();
+  const float y = corner.y + ImGui::GetStyle().FramePadding.y;
+  ImGui::PushClipRect(corner, end, true);
+  const float width = draw_rich_text(list, in.fonts, {corner.x + 0.2f * em, y},
+                                     refused   ? kBad
+                                     : changed ? kAccent
+                                               : kInk,
+                                     text);
+  if (!refused && !parameter.unit.empty()) {
+    draw_rich_text(list, in.fonts, {corner.x + 0.8f * em + width, y}, kFaint, parameter.unit);
+  }
+  ImGui::PopClipRect();
+  return pressed;
 }
 
 /// Three columns: symbol, value, title.
 bool begin_rows(const char* id) {
   if (!ImGui::BeginTable(id, 3)) return false;
   const float em = ImGui::GetFontSize();
-  ImGui::TableSetupColumn("symbol", ImGuiTableColumnFlags_WidthFixed, 3.4f * em);
+  // A narrow panel takes from the titles, which tooltips repeat, and not from the sliders.
+  const float title =
+      std::clamp(ImGui::GetContentRegionAvail().x - kLeastOthers * em, 5 * em, kTitleWidth * em);
+  ImGui::TableSetupColumn("symbol", ImGuiTableColumnFlags_WidthFixed, 3 * em);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("title", ImGuiTableColumnFlags_WidthFixed, 11.8f * em);
+  ImGui::TableSetupColumn("title", ImGuiTableColumnFlags_WidthFixed, title);
   return true;
 }
 
@@ -98,7 +139,11 @@ bool begin_rows(const char* id) {
 
 void ParameterPanel::draw_top(const PanelInput& in) {
   if (!begin_rows("top")) return;
-  for (const std::string_view name : kTop) row(*find_parameter(name), in);
+  for (const std::string_view name : kTop) {
+    const Parameter& parameter = *find_parameter(name);
+    row(parameter, in);
+    if (name == kPresetOf) draw_presets(parameter, in);
+  }
   ImGui::EndTable();
 }
 
@@ -120,64 +165,80 @@ void ParameterPanel::draw_groups(const PanelInput& in) {
     }
     ImGui::EndTable();
   }
+  draw_resets(in);
 }
 
 void ParameterPanel::row(const Parameter& parameter, const PanelInput& in) {
   const std::string name(parameter.name);
+  bool right_click = false;
+  const auto item = [&] {
+    right_click |= ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right);
+    tooltip(parameter, in);
+  };
   ImGui::PushID(name.c_str());
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   rich_text(in.fonts, kInk, parameter.symbol);
   ImGui::TableNextColumn();
-  ImGui::SetNextItemWidth(-1);
   if (parameter.kind == Parameter::Kind::choice) {
+    ImGui::SetNextItemWidth(-1);
     choice(parameter, in);
+    in.events.widget(name);
+    item();
   } else {
-    number(parameter, in);
+    const float field = kFieldWidth * ImGui::GetFontSize();
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    slide(parameter, ImGui::GetContentRegionAvail().x - field - gap, in);
+    item();
+    ImGui::SameLine(0, gap);
+    type(parameter, field, in);
+    item();
   }
-  in.events.widget(name);
-  tooltip(parameter, in);
   ImGui::TableNextColumn();
-  const bool changed = parameter.get(in.controls.params) != parameter.default_value();
-  std::string title(parameter.title);
-  if (parameter.effect == Parameter::Effect::restart) title += kRestarts;
-  rich_text(in.fonts, changed ? kAccent : kFaint, title);
-  tooltip(parameter, in);
+  const bool pressed = draw_title(parameter, in);
+  item();
+  if (pressed || right_click) menu_.open(parameter, in);
+  if (menu_.draw(parameter, in)) entry_.focus(kField);
   ImGui::PopID();
 }
 
-void ParameterPanel::number(const Parameter& parameter, const PanelInput& in) {
+/// A drag is proposed piece by piece where each piece acts at once, and undone as a whole.
+void ParameterPanel::slide(const Parameter& parameter, float width, const PanelInput& in) {
   const bool drafted = draft_ && draft_->parameter == &parameter;
   double value = drafted ? draft_->value : parameter.get(in.controls.params);
-  const bool moved = slider(parameter, value);
-  const bool active = ImGui::IsItemActive();
-  const bool typing = active && ImGui::GetIO().WantTextInput;
-  const bool done = ImGui::IsItemDeactivatedAfterEdit();
-  if (moved) draft_ = Draft{&parameter, typing ? value : rounded(parameter, value)};
-  if (!draft_ || draft_->parameter != &parameter) return;
-  const bool at_once = parameter.effect == Parameter::Effect::next_step && !typing;
-  if ((moved && at_once) || done) propose_value(parameter, draft_->value, in);
-  if (!active) draft_.reset();
+  const bool typing = ImGui::GetIO().KeyCtrl && !drafted;
+  ImGui::SetNextItemWidth(width);
+  const bool moved = slider(parameter, value) && !typing;
+  in.events.widget(parameter.name);
+  if (typing && ImGui::IsItemClicked()) entry_.focus(kField);
+  if (ImGui::IsItemFocused() && key_pressed(ImGuiKey_Enter)) {
+    entry_.focus(kField);
+  }
+  if (moved) {
+    const bool continues = drafted && draft_->proposed;
+    draft_ = Draft{&parameter, rounded(parameter, value), continues};
+    if (parameter.effect == Parameter::Effect::next_step) {
+      in.controls.propose(parameter, draft_->value, continues);
+      draft_->proposed = true;
+    }
+  }
+  if (!draft_ || draft_->parameter != &parameter || ImGui::IsItemActive()) return;
+  if (!draft_->proposed) in.controls.propose(parameter, draft_->value);
+  draft_.reset();
 }
 
-/// True when `value` was changed.
-bool ParameterPanel::slider(const Parameter& parameter, double& value) const {
-  const ImGuiSliderFlags flags =
-      parameter.slider_log ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-  // A format without a conversion shows as it is and rounds nothing.
-  std::string format = format_value(parameter, value);
-  if (!parameter.unit.empty()) format += ' ' + std::string(parameter.unit);
-  if (parameter.kind == Parameter::Kind::integer) {
-    long long number = std::llround(value);
-    const auto low = static_cast<long long>(parameter.slider_min);
-    const auto high = static_cast<long long>(parameter.slider_max);
-    const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_S64, &number, &low, &high,
-                                             format.c_str(), flags);
-    value = static_cast<double>(number);
-    return changed;
+void ParameterPanel::type(const Parameter& parameter, float width, const PanelInput& in) {
+  const bool drafted = draft_ && draft_->parameter == &parameter;
+  const double value = drafted ? draft_->value : parameter.get(in.controls.params);
+  const auto text = entry_.draw(kField, format_value(parameter, value), width);
+  in.events.widget(std::string(parameter.name) + "-field");
+  if (!text) return;
+  const Typed typed = read_typed(parameter, *text);
+  if (const double* number = std::get_if<double>(&typed)) {
+    in.controls.propose(parameter, *number);
+  } else {
+    in.controls.refuse(parameter.name, std::get<std::string>(typed));
   }
-  return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &parameter.slider_min,
-                             &parameter.slider_max, format.c_str(), flags);
 }
 
 }  // namespace pupflow::window

@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "app/window/panels/panel.h"
+#include "app/window/panels/parameter_menu.h"
+#include "app/window/panels/text_entry.h"
 #include "pupflow/parameters.h"
 
 namespace pupflow::window {
@@ -13,22 +15,26 @@ namespace pupflow::window {
 /// done.
 class ParameterPanel {
  public:
-  /// T_a, rigidity and deformation.
+  /// T_a with its presets, rigidity and deformation.
   void draw_top(const PanelInput& in);
 
-  /// All the others that matter in a window, under their groups' headings.
+  /// All the others that matter in a window, under their groups' headings, and the ways back.
   void draw_groups(const PanelInput& in);
 
  private:
-  struct Draft {  // a value being dragged or typed, not all of it proposed yet
+  struct Draft {  // what a slider shows while it is held
     const Parameter* parameter;
     double value;
+    bool proposed;
   };
 
   void row(const Parameter& parameter, const PanelInput& in);
   void number(const Parameter& parameter, const PanelInput& in);
-  bool slider(const Parameter& parameter, double& value) const;
+  void slide(const Parameter& parameter, float width, const PanelInput& in);
+  void type(const Parameter& parameter, float width, const PanelInput& in);
 
+  TextEntry entry_;
+  ParameterMenu menu_;
   std::optional<Draft> draft_;
 };
 

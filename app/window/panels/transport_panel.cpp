@@ -2,104 +2,58 @@
 
 #include <imgui.h>
 
-#include <cstdio>
+#include <algorithm>
+#include <cmath>
 #include <random>
+
+#include "app/io/text.h"
+#include "app/window/panels/record_button.h"
+#include "app/window/panels/timeline_strip.h"
+#include "app/window/typed_number.h"
 
 namespace pupflow::window {
 namespace {
 
-void tip(const char* text) {
-  if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
-  // Beside the panel, where it hides nothing of it.
-  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
-  ImGui::SetNextWindowPos({right + 0.3f * ImGui::GetFontSize(), ImGui::GetItemRectMin().y});
-  ImGui::SetTooltip("%s", text);
-}
+constexpr std::array kInMenu{TransportPart::speed, TransportPart::as_fast, TransportPart::seed,
+                             TransportPart::compare};
 
 void button(const char* label, const char* name, const char* doc, Action action, float width,
-            const PanelInput& in) {
+            bool enabled, const PanelInput& in) {
+  ImGui::BeginDisabled(!enabled);
   if (ImGui::Button(label, {width, 0})) in.controls.actions.push_back(action);
+  ImGui::EndDisabled();
   in.events.widget(name);
-  tip(doc);
+  in.tips.show(doc);
 }
 
-void draw_buttons(const PanelInput& in) {
-  constexpr int kButtons = 5;
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float half = 0.5f * ImGui::GetContentRegionAvail().x;
-  const float width = (half - (kButtons - 1) * gap) / kButtons;
-  button(in.state.playing ? "Pause##play" : "Play##play", "play", "Play or pause (Space)",
-         Action::play_pause, width, in);
-  ImGui::SameLine();
-  button("Step", "step", "Pause and make one step (Right)", Action::step, width, in);
-  ImGui::SameLine();
-  button("Restart", "restart", "Start again with the same seed (R)", Action::restart, width, in);
-  ImGui::SameLine();
-  button("Picture", "screenshot", "Save a picture with all parameters in it (S)",
-         Action::screenshot, width, in);
-  ImGui::SameLine();
-  button("Help", "help", "Keys and mouse (F1)", Action::toggle_help, width, in);
+/// Model time and step; how fast it goes, as measured.
+void draw_clock(float width, const PanelInput& in) {
+  const LitterView litter = in.state.view();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::Dummy({width, ImGui::GetFrameHeight()});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(corner, {corner.x + width, corner.y + ImGui::GetFrameHeight()}, true);
+  const float em = ImGui::GetFontSize(), y = corner.y + ImGui::GetStyle().FramePadding.y;
+  const std::string time = io::formatted("%.2f s", litter.time);
+  const std::string step = io::formatted("step %lld", static_cast<long long>(litter.step));
+  const std::string rate =
+      in.state.playing
+          ? io::formatted("%.3g \u00d7 real time", in.state.steps_per_second * litter.params.dt)
+          : std::string("paused");
+  list.AddText({corner.x, y}, kInk, time.c_str());
+  const float second = std::max(ImGui::CalcTextSize(time.c_str()).x + 0.8f * em, 4.4f * em);
+  list.AddText({corner.x + second, y}, kFaint, step.c_str());
+  const float third = second + ImGui::CalcTextSize(step.c_str()).x + 0.8f * em;
+  const float rest = width - ImGui::CalcTextSize(rate.c_str()).x;
+  if (rest >= third) list.AddText({corner.x + rest, y}, kFaint, rate.c_str());
+  list.PopClipRect();
 }
 
-void draw_clock(const PanelInput& in) {
-  char text[128];
-  std::snprintf(text, sizeof text, "%.2f s", in.state.view().time);
-  ImGui::TextUnformatted(text);
-  ImGui::SameLine();
-  ImGui::TextDisabled("of model time, step %lld", static_cast<long long>(in.state.view().step));
-  if (!in.state.playing) {
-    std::snprintf(text, sizeof text, "paused");
-  } else {
-    std::snprintf(text, sizeof text, "%.3g \u00d7 real time",
-                  in.state.steps_per_second * in.state.view().params.dt);
-  }
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text).x);
-  ImGui::TextDisabled("%s", text);
-}
-
-void draw_speed(const PanelInput& in) {
-  const char* label = "as fast as possible";
-  const float box = ImGui::GetFrameHeight() + ImGui::CalcTextSize(label).x +
-                    ImGui::GetStyle().ItemInnerSpacing.x + ImGui::GetStyle().ItemSpacing.x;
-  double speed = in.controls.speed;
-  ImGui::SetNextItemWidth(0.55f * ImGui::GetContentRegionAvail().x - box);
-  const char* format = in.controls.as_fast ? "speed" : "speed %.3g \u00d7 real time";
-  if (ImGui::SliderScalar("##speed", ImGuiDataType_Double, &speed, &Controls::kSlowest,
-                          &Controls::kFastest, format, ImGuiSliderFlags_Logarithmic) &&
-      speed > 0) {
-    in.controls.set_speed(speed);
-  }
-  in.events.widget("speed");
-  tip("Model time against real time (+ and -, 1 for real time)");
-  ImGui::SameLine();
+void draw_as_fast(const PanelInput& in) {
   bool as_fast = in.controls.as_fast;
-  if (ImGui::Checkbox(label, &as_fast)) in.controls.set_as_fast(as_fast);
+  if (ImGui::Checkbox("as fast as possible", &as_fast)) in.controls.set_as_fast(as_fast);
   in.events.widget("as_fast");
-  tip("Step without regard to the clock (F)");
-}
-
-void draw_seed(const PanelInput& in) {
-  static_assert(sizeof(std::int64_t) == sizeof(ImS64));
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("seed");
-  ImGui::SameLine();
-  const float button_width = ImGui::GetFontSize() * 6;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button_width -
-                          ImGui::GetStyle().ItemSpacing.x);
-  ImS64 seed = in.controls.typed_seed.value_or(in.controls.params.seed);
-  if (ImGui::InputScalar("##seed", ImGuiDataType_S64, &seed)) in.controls.typed_seed = seed;
-  in.events.widget("seed");
-  if (in.controls.typed_seed && ImGui::IsItemDeactivatedAfterEdit()) {
-    Params candidate = in.controls.params;
-    candidate.seed = *in.controls.typed_seed;
-    in.controls.propose(candidate);
-  }
-  if (!ImGui::IsItemActive()) in.controls.typed_seed.reset();
-  tip("Fixes every random number. Type another and press Enter: the litter starts again.");
-  ImGui::SameLine();
-  if (ImGui::Button("New seed", {button_width, 0})) in.controls.actions.push_back(Action::new_seed);
-  in.events.widget("new_seed");
-  tip("Start again with a random seed (Shift + R)");
+  in.tips.show("Step without regard to the clock (F)");
 }
 
 }  // namespace
@@ -109,13 +63,138 @@ std::int64_t new_seed() {
   return static_cast<std::int64_t>(device() % 1'000'000u);  // short enough to read out and retype
 }
 
-void draw_transport_panel(const PanelInput& in) {
-  draw_buttons(in);
-  ImGui::SameLine();
-  draw_clock(in);
-  draw_speed(in);
-  ImGui::SameLine();
-  draw_seed(in);
+void TransportPanel::draw(const PanelInput& in) {
+  const float em = ImGui::GetFontSize(), gap = kTransportGap * em;
+  const bool here = in.controls.problem_at == "speed" || in.controls.problem_at == "seed";
+  draw_timeline_strip(std::ceil(kStripHeight * em), here ? in.controls.problem : std::string(), in);
+  const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+  const TransportPlan plan = plan_transport(width / em);
+  int row = -1;
+  for (int i = 0; i < kTransportParts; ++i) {
+    const auto part = static_cast<TransportPart>(i);
+    if (plan.row_of(part) < 0) continue;
+    if (plan.row_of(part) == row) ImGui::SameLine(0, gap);
+    row = plan.row_of(part);
+    const float rest = left + width - ImGui::GetCursorPosX();
+    draw_part(part, plan.ends_row(part) ? rest : std::min(transport_width(part) * em, rest), in);
+  }
+}
+
+void TransportPanel::draw_part(TransportPart part, float width, const PanelInput& in) {
+  const bool sound = in.state.status.ok();
+  switch (part) {
+    case TransportPart::play:
+      button(in.state.playing ? "Pause##play" : "Play##play", "play", "Play or pause (Space)",
+             Action::play_pause, width, sound, in);
+      break;
+    case TransportPart::step_back:
+      button("\u25c2##back", "step_back", "Pause and go one step back (Left)", Action::step_back,
+             width, in.controls.shown_step(in.state) > in.state.timeline.first, in);
+      break;
+    case TransportPart::step:
+      button("\u25b8##step", "step", "Pause and make one step (Right)", Action::step, width, sound,
+             in);
+      break;
+    case TransportPart::restart:
+      button("Restart", "restart", "Start again with the same seed (R)", Action::restart, width,
+             true, in);
+      break;
+    case TransportPart::picture:
+      button("Picture", "screenshot", "Save a picture with all parameters in it (S)",
+             Action::screenshot, width, true, in);
+      break;
+    case TransportPart::record:
+      draw_record_button(width, in);
+      break;
+    case TransportPart::more:
+      draw_more(width, in);
+      break;
+    case TransportPart::clock:
+      draw_clock(width, in);
+      break;
+    case TransportPart::speed:
+      draw_speed(width, in);
+      break;
+    case TransportPart::as_fast:
+      draw_as_fast(in);
+      break;
+    case TransportPart::seed:
+      draw_seed(width, in);
+      break;
+    case TransportPart::compare:
+      compare_.draw(width, in);
+      break;
+  }
+}
+
+void TransportPanel::draw_more(float width, const PanelInput& in) {
+  if (ImGui::Button("Speed \u2026", {width, 0})) ImGui::OpenPopup("more");
+  in.events.widget("more");
+  in.tips.show("Speed, seed, comparison");
+  if (!ImGui::BeginPopup("more")) return;
+  for (const TransportPart part : kInMenu) draw_part(part, 17 * ImGui::GetFontSize(), in);
+  ImGui::EndPopup();
+}
+
+void TransportPanel::draw_speed(float width, const PanelInput& in) {
+  const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float label = 3 * em, field = 4 * em, unit = 0.8f * em;
+  const float left = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("speed");
+  ImGui::SameLine(left + label);
+  double speed = in.controls.speed;
+  ImGui::SetNextItemWidth(width - label - field - unit - 2 * gap);
+  const bool typing = ImGui::GetIO().KeyCtrl;
+  const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &speed,
+                                         &Controls::kSlowest, &Controls::kFastest, " ",
+                                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
+  in.events.widget("speed");
+  in.tips.show("Model time against real time (+ and -, 1 for real time)");
+  if (typing && ImGui::IsItemClicked()) entry_.focus("##speed");
+  if (moved && !typing && speed > 0) in.controls.set_speed(speed);
+  ImGui::SameLine(0, gap);
+  const std::string shown = in.controls.speed < Controls::kFastest
+                                ? io::formatted("%.3g", in.controls.speed)
+                                : io::number_text(in.controls.speed);
+  if (const auto text = entry_.draw("##speed", shown, field)) {
+    const Typed typed = read_typed("speed", Controls::kLeastSpeed, Controls::kGreatestSpeed, *text);
+    if (const double* number = std::get_if<double>(&typed)) {
+      in.controls.set_speed(*number);
+      in.controls.refuse("", "");
+    } else {
+      in.controls.refuse("speed", std::get<std::string>(typed));
+    }
+  }
+  in.events.widget("speed-field");
+  in.tips.show("Times real time");
+  ImGui::SameLine(0, gap);
+  ImGui::TextDisabled("\u00d7");
+}
+
+void TransportPanel::draw_seed(float width, const PanelInput& in) {
+  const Parameter& parameter = *find_parameter("seed");
+  const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float label = 2.6f * em, button_width = 3 * em;
+  const float left = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("seed");
+  ImGui::SameLine(left + label);
+  const std::string shown = format_value(parameter, in.controls.params);
+  if (const auto text = entry_.draw("##seed", shown, width - label - button_width - gap)) {
+    const Typed typed = read_typed(parameter, *text);
+    if (const double* number = std::get_if<double>(&typed)) {
+      in.controls.propose(parameter, *number);
+    } else {
+      in.controls.refuse("seed", std::get<std::string>(typed));
+    }
+  }
+  in.events.widget("seed");
+  in.tips.show("Fixes every random number. Type another and press Enter: the litter starts again.");
+  ImGui::SameLine(0, gap);
+  if (ImGui::Button("New", {button_width, 0})) in.controls.actions.push_back(Action::new_seed);
+  in.events.widget("new_seed");
+  in.tips.show("Start again with a random seed (Shift + R)");
 }
 
 }  // namespace pupflow::window

@@ -1,17 +1,33 @@
-// Play, pause, step, restart; speed; seed.
+// Play, pause, step, restart; timeline; speed; seed.
 #pragma once
 
 #include <cstdint>
-#include <string>
 
+#include "app/window/panels/compare_control.h"
 #include "app/window/panels/panel.h"
+#include "app/window/panels/text_entry.h"
+#include "app/window/panels/transport_plan.h"
 
 namespace pupflow::window {
 
 /// A random seed.
 std::int64_t new_seed();
 
-/// Draws the buttons, the clock, speed and seed into the current Dear ImGui window.
-void draw_transport_panel(const PanelInput& in);
+/// The run's buttons below the arena.
+class TransportPanel {
+ public:
+  /// Draws the timeline, the buttons, the clock, speed, seed and comparison into the current Dear
+  /// ImGui window.
+  void draw(const PanelInput& in);
+
+ private:
+  void draw_part(TransportPart part, float width, const PanelInput& in);
+  void draw_more(float width, const PanelInput& in);
+  void draw_speed(float width, const PanelInput& in);
+  void draw_seed(float width, const PanelInput& in);
+
+  TextEntry entry_;
+  CompareControl compare_;
+};
 
 }  // namespace pupflow::window

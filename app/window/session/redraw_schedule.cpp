@@ -33,7 +33,7 @@ void RedrawSchedule::begin_frame(double now) {
   frames_wanted_ = std::max(frames_wanted_ - 1, 0);
   if (now >= sharpen_at_) sharpen_at_ = kNever;
   if (now >= message_ends_) message_ends_ = kNever;
-  cursor_blinks_ = kNever;
+  wake_at_ = kNever;
   if (!fresh_) return;
   request_at_ = now + kSnapshotInterval;
   if (last_fresh_ < kNever) {
@@ -45,7 +45,7 @@ void RedrawSchedule::begin_frame(double now) {
 }
 
 double RedrawSchedule::next_deadline() const {
-  return std::min({sharpen_at_, message_ends_, cursor_blinks_});
+  return std::min({sharpen_at_, message_ends_, wake_at_});
 }
 
 bool RedrawSchedule::frame_due(double now) const {

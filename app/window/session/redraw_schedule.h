@@ -1,6 +1,7 @@
 // When the live window sleeps, asks for a snapshot and draws a frame.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 namespace pupflow::window {
@@ -13,7 +14,7 @@ namespace pupflow::window {
 /// - the last snapshot has not been drawn,
 /// - Dear ImGui still wants frames after an event,
 /// - a message ends,
-/// - the cursor of a text field blinks,
+/// - the panels change by themselves: the cursor of a text field blinks, a tooltip opens,
 /// - the arena was drawn with one sample a pixel and has rested since.
 class RedrawSchedule {
  public:
@@ -52,7 +53,9 @@ class RedrawSchedule {
   /// A frame begins. `end_frame` ends it; the three functions between them are called within it.
   void begin_frame(double now);
   /// A text field shows its cursor.
-  void cursor_shown(double now) { cursor_blinks_ = now + kCursorBlink; }
+  void cursor_shown(double now) { wake_at(now + kCursorBlink); }
+  /// The panels change by themselves at `time`: another frame is due then.
+  void wake_at(double time) { wake_at_ = std::min(wake_at_, time); }
   /// The camera moved.
   void view_moved(double now) { arena_changed(now); }
   /// Panels that are drawn already have to be drawn again.
@@ -94,7 +97,7 @@ class RedrawSchedule {
   double request_at_ = 0;
   double sharpen_at_ = kNever;
   double message_ends_ = kNever;
-  double cursor_blinks_ = kNever;
+  double wake_at_ = kNever;
 
   double last_fresh_ = kNever;  // when the last snapshot was drawn
   double frame_seconds_ = 0;    // mean time between two drawn snapshots

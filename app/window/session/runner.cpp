@@ -9,6 +9,10 @@ namespace {
 
 constexpr double kMeasureOver = 0.5;  // seconds over which the speed is measured
 
+// Seconds between two snapshots while the litter steps as fast as it can. A frame takes time from
+// the steps, where the processor draws, and nobody could follow more of them.
+constexpr double kFastInterval = 1.0 / 30;
+
 using Clock = std::chrono::steady_clock;
 
 double seconds() {
@@ -18,6 +22,19 @@ double seconds() {
 Clock::time_point time_point(double seconds_since_epoch) {
   return Clock::time_point(std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(seconds_since_epoch)));
+}
+
+/// Whether `command` leaves nothing to do of the one `before` it. An edit takes over when the drag
+/// of the slider began.
+bool replaces(Command& command, const Command& before) {
+  if (command.index() != before.index()) return false;
+  if (Edit* const edit = std::get_if<Edit>(&command)) {
+    if (!edit->continues) return false;
+    edit->before = std::get<Edit>(before).before;
+    edit->continues = std::get<Edit>(before).continues;
+    return true;
+  }
+  return std::holds_alternative<GoTo>(command) || std::holds_alternative<Pull>(command);
 }
 
 }  // namespace
@@ -39,14 +56,8 @@ Runner::~Runner() {
 void Runner::send(Command command) {
   {
     const std::lock_guard lock(mutex_);
-    const bool replaces = std::holds_alternative<Edit>(command) && !queue_.empty() &&
-                          std::holds_alternative<Edit>(queue_.back());
-    if (replaces) {
-      std::get<Edit>(command).before = std::get<Edit>(queue_.back()).before;
-      queue_.back() = std::move(command);
-    } else {
-      queue_.push_back(std::move(command));
-    }
+    if (!queue_.empty() && replaces(command, queue_.back())) queue_.pop_back();
+    queue_.push_back(std::move(command));
   }
   changed_.notify_one();
 }
@@ -133,11 +144,15 @@ void Runner::measure(double now) {
 
 void Runner::publish() {
   if (!session_.changed()) return;
+  const double now = seconds();
+  const bool fast = session_.running() && std::isinf(session_.speed());
+  if (fast && now < published_ + kFastInterval) return;
   {
     const std::lock_guard lock(mutex_);
     if (!requested_) return;
     requested_ = false;
   }
+  published_ = now;
   session_.fill(*back_, options_.hashed);
   back_->steps_per_second = steps_per_second_;
   back_->microseconds_per_step = microseconds_per_step_;

@@ -34,8 +34,8 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// Queues a command; it is applied before the next step. An edit replaces an edit that is the
-  /// last in the queue.
+  /// Queues a command; it is applied before the next step. A drag that goes on replaces what it last
+  /// asked for, as long as that is the last in the queue.
   void send(Command command);
 
   /// Asks for one snapshot. It is made as soon as something has changed since the last one.
@@ -62,6 +62,7 @@ class Runner {
   Session session_;
   Pacer pacer_;
   double measured_from_ = 0, stepping_ = 0;
+  double published_ = 0;  // when the last snapshot was handed out
   double steps_per_second_ = 0, microseconds_per_step_ = 0;
   int measured_steps_ = 0;
 

@@ -1,160 +1,241 @@
 #include "app/window/session/session.h"
 
+#include <algorithm>
+#include <memory>
 #include <new>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
 namespace pupflow::window {
+namespace {
+
+std::shared_ptr<const Snapshot> shared(std::optional<Snapshot> snapshot) {
+  return snapshot ? std::make_shared<const Snapshot>(std::move(*snapshot)) : nullptr;
+}
+
+/// Whether the command has to do with the step that the litter is at.
+bool waits(const Command& command) {
+  return std::visit(
+      [](const auto& asked) {
+        using Asked = std::remove_cvref_t<decltype(asked)>;
+        return !(std::is_same_v<Asked, GoTo> || std::is_same_v<Asked, Speed> ||
+                 std::is_same_v<Asked, Observe> || std::is_same_v<Asked, ColorBy> ||
+                 std::is_same_v<Asked, Watch> || std::is_same_v<Asked, Suspend>);
+      },
+      command);
+}
+
+/// Whether the centres of some pup are further apart than half a pup radius.
+bool parted(const LitterView& a, const LitterView& b) {
+  const double distance = a.params.pup_radius / 2;
+  for (int pup = 0; pup < std::min(a.pups, b.pups); ++pup) {
+    if ((a.positions.mean(pup) - b.positions.mean(pup)).norm() > distance) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 Session::Session(const Params& params, bool playing, int threads, std::optional<Snapshot> from)
-    : from_(std::move(from)),
-      begun_with_(params.schedule),
-      simulation_(from_ ? Simulation(*from_) : Simulation(params)),
+    : first_(params, shared(std::move(from)), threads, {.parts = pup_fields().front().parts}),
       threads_(threads),
       playing_(playing) {
-  simulation_.set_threads(threads_);
-  record();
+  first_.keep_within(kKeyframeBytes);
 }
 
 void Session::apply(const Command& command) {
   changed_ = true;
+  const bool goes = std::holds_alternative<GoTo>(command);
+  if (waits(command) ? seeking() || !waiting_.empty() : goes && !waiting_.empty()) {
+    if (goes && std::holds_alternative<GoTo>(waiting_.back())) waiting_.pop_back();
+    waiting_.push_back(command);
+  } else {
+    carry_out(command);
+  }
+}
+
+void Session::carry_out(const Command& command) {
   std::visit(
-      [this](const auto& asked) {
+      [&](const auto& asked) {
         using Asked = std::remove_cvref_t<decltype(asked)>;
         if constexpr (std::is_same_v<Asked, PlayPause>) {
-          playing_ = !playing_ && simulation_.status().ok();
+          playing_ = !playing_ && ok();
           pending_ = 0;
         } else if constexpr (std::is_same_v<Asked, Advance>) {
           playing_ = false;
-          if (simulation_.status().ok()) pending_ += asked.steps;
+          if (ok()) pending_ += asked.steps;
         } else if constexpr (std::is_same_v<Asked, Speed>) {
           speed_ = asked.factor;
         } else if constexpr (std::is_same_v<Asked, Edit>) {
           edit(asked);
         } else if constexpr (std::is_same_v<Asked, Restart>) {
-          restart_as_begun();
+          restart();
+        } else if constexpr (std::is_same_v<Asked, Open>) {
+          open(asked);
         } else if constexpr (std::is_same_v<Asked, Observe>) {
-          observe(asked.on);
+          observed_ = asked.on;
+          record();
         } else if constexpr (std::is_same_v<Asked, ColorBy>) {
           color_by_ = asked.field;
           record();
+        } else if constexpr (std::is_same_v<Asked, Watch>) {
+          watch_ = asked;
+          record();
         } else if constexpr (std::is_same_v<Asked, Suspend>) {
           suspended_ = asked.on;
+        } else if constexpr (std::is_same_v<Asked, GoTo>) {
+          stop();
+          go_to(std::clamp(asked.step, first_.run().first(), first_.run().last));
+        } else if constexpr (std::is_same_v<Asked, SwapFuture>) {
+          swap_futures();
+        } else if constexpr (std::is_same_v<Asked, RampTo>) {
+          ramp(asked);
+        } else if constexpr (std::is_same_v<Asked, Undo>) {
+          undo();
+        } else if constexpr (std::is_same_v<Asked, Redo>) {
+          redo();
+        } else if constexpr (std::is_same_v<Asked, Pull>) {
+          pull(asked);
+        } else {
+          static_assert(std::is_same_v<Asked, Compare>);
+          compare(asked);
         }
       },
       command);
 }
 
-void Session::edit(const Edit& asked) {
+/// The former run is gone, with all that could be gone back to.
+void Session::open(const Open& asked) {
   rejected_.clear();
-  Params wanted = simulation_.params();
-  for (const Parameter& parameter : parameters()) {
-    const double value = parameter.get(asked.params);
-    const bool changed = !asked.before || parameter.get(*asked.before) != value;
-    if (changed) parameter.set(wanted, value);
-  }
-  const std::vector<Problem> problems = check(wanted);
-  if (!problems.empty()) {
-    rejected_ = problems.front().message;
-  } else if (needs_restart(simulation_.params(), wanted)) {
-    from_.reset();
-    wanted.schedule = begun_with_;
-    restart(wanted);
-  } else if (wanted != simulation_.params()) {
-    simulation_.set_params(wanted);
-  }
-}
-
-/// The same start again, with the values that were set since, but for those that the schedule sets.
-void Session::restart_as_begun() {
-  if (from_) {
-    begin(Simulation(*from_));
-    return;
-  }
-  Params start = simulation_.params();
-  for (const Change& change : begun_with_.changes()) {
-    for (const auto& [place, value] : change.settings) {
-      const Parameter& parameter = parameters()[place];
-      parameter.set(start, parameter.get(simulation_.recipe()));
-    }
-  }
-  start.schedule = begun_with_;
-  restart(start);
-}
-
-void Session::restart(const Params& params) {
-  if (const std::vector<Problem> problems = check(params); !problems.empty()) {
-    rejected_ = problems.front().message;
-    return;
-  }
   try {
-    begin(Simulation(params));
+    Litter opened(asked.params, shared(asked.from), threads_, {.parts = {}});
+    stop();
+    first_ = std::move(opened);
   } catch (const std::bad_alloc&) {
-    rejected_ = "not enough memory for " + std::to_string(params.pups) + " pups of " +
-                std::to_string(points_per_pup(params)) + " points; fewer of either would fit";
+    rejected_ = "not enough memory for that litter; the one before is still there";
+    return;
+  } catch (const std::invalid_argument& problem) {
+    rejected_ = problem.what();
+    return;
+  }
+  second_.reset();
+  differing_.clear();
+  log_ = {};
+  first_.keep_within(kKeyframeBytes);
+  record();
+}
+
+/// Has the steps to come record what is shown; at rest the last one is taken again for it.
+void Session::record() {
+  const Litter::Recording wanted{.parts = color_by_->parts | watch_.parts, .observed = observed_};
+  const bool rests = !playing_ && pending_ == 0 && !seeking();
+  for (Litter* litter : litters()) {
+    litter->record(wanted);
+    if (rests && litter->ok() && !litter->recorded()) litter->seek_anew();
   }
 }
 
-void Session::begin(Simulation simulation) {
-  simulation_ = std::move(simulation);
+std::vector<Litter*> Session::litters() {
+  std::vector<Litter*> all{&first_};
+  if (second_) all.push_back(&*second_);
+  return all;
+}
+
+void Session::stop() {
+  playing_ = interrupted_ = false;
   pending_ = 0;
-  simulation_.set_threads(threads_);
-  record();
-  look_anew();
+  let_go();
 }
 
-void Session::observe(bool on) {
-  if (on == observed_) return;
-  observed_ = on;
-  record();
-  look_anew();
+void Session::go_to(std::int64_t step) {
+  for (Litter* litter : litters()) litter->seek(step);
+  if (!seeking()) arrived();
 }
 
-/// Has the steps to come record what is shown.
-void Session::record() {
-  simulation_.set_observed((observed_ ? ObservableSet::all().parts() : PartSet{}) |
-                           color_by_->parts);
+/// What waited for the step is carried out.
+void Session::arrived() {
+  changed_ = true;
+  while (!waiting_.empty() && !seeking()) {
+    const Command next = std::move(waiting_.front());
+    waiting_.pop_front();
+    carry_out(next);
+  }
 }
 
-// Before, contacts may not have been recorded: an observer that compares steps must see one step
-// first, unless the litter is still untouched.
-void Session::look_anew() {
-  history_.clear();
-  observables_.reset();
-  observer_.reset();
-  if (observed_ && simulation_.steps_done() == 0) observer_.emplace(simulation_);
+void Session::swap_futures() {
+  rejected_.clear();
+  if (!first_.other()) return;
+  if (second_ && !second_->other()) {
+    rejected_ = "the other future was left before the comparison began; end that first";
+    return;
+  }
+  stop();
+  for (Litter* litter : litters()) litter->swap();
 }
 
 void Session::step() {
+  if (seeking()) {
+    for (Litter* litter : litters()) {
+      if (litter->seeking()) litter->step();
+    }
+    see_parting();
+    if (!seeking()) arrived();
+    return;
+  }
   changed_ = true;
   if (pending_ > 0) --pending_;
-  if (!simulation_.step().ok()) {
-    playing_ = false;
-    pending_ = 0;
-    return;
-  }
-  if (!observed_) return;
-  if (!observer_) {
-    observer_.emplace(simulation_);
-    return;
-  }
-  observables_ = observer_->observe(simulation_);
-  history_.add(simulation_.time(), *observables_);
+  hold();
+  for (Litter* litter : litters()) litter->step();
+  see_parting();
+  if (ok()) return;
+  interrupted_ = interrupted_ || playing_;
+  playing_ = false;
+  pending_ = 0;
+}
+
+/// Remembers where the two litters were first seen apart.
+void Session::see_parting() {
+  if (!second_ || first_.run().diverged_at || first_.at() != second_->at()) return;
+  if (parted(first_.simulation(), second_->simulation())) first_.run().diverged_at = first_.at();
 }
 
 void Session::fill(LiveState& state, bool with_hash) {
   changed_ = false;
-  state.litter.take(simulation_, color_by_->velocities);
-  state.observables = observables_;
-  state.history = history_;
-  state.status = simulation_.status();
-  const auto warnings = simulation_.warnings();
-  state.warnings.assign(warnings.begin(), warnings.end());
+  fill_litter(first_, state);
+  if (second_) {
+    if (!state.second) state.second.emplace();
+    fill_litter(*second_, *state.second);
+  } else {
+    state.second.reset();
+  }
+  const Run& run = first_.run();
+  state.diverged_at = second_ ? run.diverged_at : std::nullopt;
+  Timeline& timeline = state.timeline;
+  timeline.first = run.first();
+  timeline.last = run.last;
+  timeline.marks.assign(run.marks.begin(), run.marks.end());
+  timeline.parted_at.reset();
+  if (first_.other()) timeline.parted_at = first_.parted_at();
+  timeline.other_last = first_.other() ? first_.other()->last : 0;
+  timeline.can_undo = log_.can_undo();
+  timeline.can_redo = log_.can_redo();
   state.playing = playing_;
   state.speed = speed_;
   state.rejected = rejected_;
   state.hash.reset();
-  if (with_hash) state.hash = simulation_.hash();
+  if (with_hash) state.hash = first_.simulation().hash();
+}
+
+void Session::fill_litter(const Litter& litter, LitterState& state) const {
+  state.litter.take(litter.simulation(), color_by_->velocities || watch_.velocities);
+  state.observables = litter.observables();
+  state.history = litter.run().history;
+  state.status = litter.simulation().status();
+  state.warnings.clear();
+  for (const Warning& warning : litter.run().warnings) {
+    if (warning.step <= litter.at()) state.warnings.push_back(warning);
+  }
 }
 
 }  // namespace pupflow::window

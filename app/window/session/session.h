@@ -1,15 +1,22 @@
-// One litter under the window's commands: what happens between and in its steps, without threads
-// and clocks.
+// A litter under the window's commands: what happens between and in its steps, without threads and
+// clocks.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "app/window/session/edit_log.h"
 #include "app/window/session/history.h"
+#include "app/window/session/litter.h"
+#include "app/window/session/timeline.h"
 #include "pupflow/fields.h"
 #include "pupflow/observer.h"
 #include "pupflow/simulation.h"
@@ -27,11 +34,16 @@ struct Speed {  // times real time; infinite: as fast as possible
 struct Edit {  // a whole parameter set; a new litter when one that defines it differs
   Params params;
   std::optional<Params> before =
-      {};  // what the user saw: only what differs from it is changed, so that
-           // the schedule goes on with the rest
+      {};                  // what the user saw: only what differs from it is changed, so that
+                           // the schedule goes on with the rest
+  bool continues = false;  // the same drag of a slider goes on: one undo takes all of it back
 };
 struct Restart {};  // the same litter from t = 0
-struct Observe {    // whether the observables are shown
+struct Open {       // another recipe, from the start or as that snapshot of it is
+  Params params;
+  std::optional<Snapshot> from;
+};
+struct Observe {  // whether the observables are shown
   bool on;
 };
 struct ColorBy {  // the field of a pup or an afferent that is shown as color
@@ -41,7 +53,7 @@ struct Watch {  // what a step must record beside: for overlays, inspector, plot
   PartSet parts;
   bool velocities = false;
 };
-struct Suspend {  // the window is hidden: no steps until further notice
+struct Suspend {  // no steps until further notice
   bool on;
 };
 struct GoTo {  // pause at that step of the run, in exactly the state that it had
@@ -61,28 +73,11 @@ struct Pull {  // a spring draws that pup's centre to `target`; nobody: let go
   std::array<double, 3> target{};  // arena units
 };
 struct Compare {               // step a second litter beside this one; none: only one
-  std::optional<Params> with;  // its parameters, from t = 0
+  std::optional<Params> with;  // what differs from the present parameters differs in it
+  bool from_now = false;       // it begins as this litter is now; otherwise both begin anew
 };
-using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Observe, ColorBy, Watch,
-                             Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare>;
-
-/// A run so far, which can be gone back to.
-struct Timeline {
-  enum class Kind { edit, ramp, pull, bad };
-  struct Mark {
-    std::int64_t step;
-    std::optional<std::int64_t> until;  // of ramps
-    Kind kind;
-    std::string text;  // what was done, as people read it: "T_a 0.4 \u2192 0.2"
-  };
-
-  std::int64_t first = 0, last = 0;  // the steps that can be gone to
-  std::vector<Mark> marks;           // by step
-  // The future that was left for an edit in the past: where it parts from this run, and its end.
-  std::optional<std::int64_t> parted_at;
-  std::int64_t other_last = 0;
-  bool can_undo = false, can_redo = false;
-};
+using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Open, Observe, ColorBy,
+                             Watch, Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare>;
 
 /// One litter as the window shows it.
 struct LitterState {
@@ -107,9 +102,18 @@ struct LiveState : LitterState {
   std::optional<std::uint64_t> hash;
 };
 
-/// Not thread-safe.
+/// Carries out commands on a litter, or on two that are stepped beside each other. Not thread-safe.
+///
+/// A litter goes to another step of its run by steps, like those of playing (`seeking`). A command
+/// that has to do with the step that is gone to waits until it is reached; a newer GoTo takes the
+/// place of the one before.
 class Session {
  public:
+  /// For keyframes, of all runs together.
+  static constexpr std::size_t kKeyframeBytes = std::size_t{256} << 20;
+  /// Forces that the recipe of a run holds at most: 45 s of pulling. Each one has all checked.
+  static constexpr std::ptrdiff_t kMostPulls = 1500;
+
   /// A new litter, or with `from` the litter of that snapshot, whose recipe is then `params`. Throws
   /// InvalidParams.
   Session(const Params& params, bool playing, int threads = 1, std::optional<Snapshot> from = {});
@@ -117,42 +121,80 @@ class Session {
   void apply(const Command& command);
 
   /// Whether a step is wanted: now, whatever the clock says (`hurried`), or as the speed says.
-  bool hurried() const { return !suspended_ && pending_ > 0; }
+  bool hurried() const { return !suspended_ && (pending_ > 0 || seeking()); }
   bool running() const { return !suspended_ && playing_; }
   double speed() const { return speed_; }
-  const Params& params() const { return simulation_.params(); }
+  const Params& params() const { return first_.params(); }
 
   /// Takes one step. A bad status ends playing.
   void step();
 
-  /// Whether anything that a state holds changed since the last `fill`.
-  bool changed() const { return changed_; }
+  /// Whether there is something new to show since the last `fill`: not on the way to another step.
+  bool changed() const { return changed_ && !seeking(); }
 
   /// Writes the state into `state` (what is measured by the clock is left as it is). With
   /// `with_hash` the simulation's hash too.
   void fill(LiveState& state, bool with_hash);
 
  private:
-  void edit(const Edit& asked);
-  void restart_as_begun();
-  void restart(const Params& params);
-  void begin(Simulation simulation);
-  void observe(bool on);
-  void record();
-  void look_anew();
+  /// How a litter begins: its recipe, and the snapshot that holds for, if any.
+  struct Begin {
+    Params recipe;
+    std::shared_ptr<const Snapshot> from;
+  };
 
-  std::optional<Snapshot> from_;  // where it began; none: at a new litter
-  Schedule begun_with_;           // what was to change when it began
-  Simulation simulation_;
-  std::optional<Observer> observer_;  // none while nobody looks, and before its first step
-  std::optional<Observables> observables_;
-  History history_;
+  // session.cpp: commands and steps.
+  void carry_out(const Command& command);
+  bool seeking() const { return first_.seeking() || (second_ && second_->seeking()); }
+  bool ok() const { return first_.ok() && (!second_ || second_->ok()); }
+  std::vector<Litter*> litters();
+  void record();
+  void open(const Open& asked);
+  void stop();
+  void go_to(std::int64_t step);
+  void arrived();
+  void swap_futures();
+  void see_parting();
+  void fill_litter(const Litter& litter, LitterState& state) const;
+
+  // changes.cpp: what changes the run.
+  bool back_from_bad(const Command& command);
+  bool differs(std::size_t parameter) const;
+  std::vector<Setting> settings_of(std::span<const Edited> values, const Litter& litter) const;
+  void edit(const Edit& asked);
+  bool take(std::span<const Edited> values);
+  bool restart_with(std::span<const Edited> values);
+  void restart();
+  template <class BeginOf>
+  bool begin_anew(const BeginOf& begin);
+  void ramp(const RampTo& asked);
+  bool begin_ramp(const RampTo& asked);
+  void undo();
+  void redo();
+  void mark_edit(const std::vector<Edited>& values, bool joins);
+  void mark_undone(const std::vector<Edited>& values);
+  void pull(const Pull& asked);
+  void let_go();
+  void hold();
+  void mark_pull();
+  void compare(const Compare& asked);
+
+  Litter first_;
+  std::optional<Litter> second_;
+  std::vector<std::size_t> differing_;  // the parameters in which the two are to differ
+  EditLog log_;
+  std::optional<Pull> pull_;
+  std::int64_t held_until_ = 0;  // the force that was recorded last
+  bool pull_marked_ = false;
   const LitterField* color_by_ = &pup_fields().front();
+  Watch watch_{};
   int threads_;  // that share a step
-  bool observed_ = false, suspended_ = false, playing_, changed_ = true;
+  bool observed_ = true, suspended_ = false, playing_, changed_ = true;
+  bool interrupted_ = false;  // it was playing when the numbers went wrong
   std::int64_t pending_ = 0;  // steps still to be made by Advance
   double speed_ = 1;
   std::string rejected_;
+  std::deque<Command> waiting_;  // for the step that is gone to
 };
 
 }  // namespace pupflow::window

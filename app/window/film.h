@@ -1,0 +1,60 @@
+// A film of the arena, frame by frame as the window shows it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "app/io/background.h"
+#include "app/io/movie.h"
+#include "app/pictures/look.h"
+#include "app/pictures/picture.h"
+#include "app/view/camera.h"
+
+namespace pupflow::window {
+
+/// Writes frames of the usual picture's size to an MP4 file. It says which step the next frame is of:
+/// whoever steps the litter stops there until the frame is taken, so that none is left out.
+class Film {
+ public:
+  static constexpr int kFps = 25;
+
+  /// Begins with the litter as `start` shows it. `speed`: seconds of the model in a second of the
+  /// film. Throws Failure: bad_input without ffmpeg, with what to install; bad_file.
+  Film(const std::string& path, const LitterView& start, const pictures::Look& look,
+       const view::Camera& camera, double speed);
+
+  /// Paints its frames.
+  pictures::Picture& picture() { return picture_; }
+
+  /// Steps from one frame to the next, and that of the next frame.
+  std::int64_t every() const { return every_; }
+  std::int64_t next() const { return next_; }
+
+  /// Whether a litter at rest after `step` is due: it has come so far, or was taken back.
+  bool due(std::int64_t step) const { return step >= next_ || step < last_; }
+
+  /// Takes the frame after `step`; it is written while the next one is made. Throws Failure.
+  void add(io::Image frame, std::int64_t step);
+
+  int frames() const { return frames_; }
+  double seconds() const { return static_cast<double>(frames_) / kFps; }
+
+  /// Puts the film in its place and returns its path. Once, last. Throws Failure.
+  std::string finish();
+
+ private:
+  std::string path_;
+  pictures::Picture picture_;
+  std::int64_t every_, next_, last_;
+  int frames_ = 0;
+  io::Image frame_;
+  std::optional<io::MovieFile> movie_;
+  std::optional<io::Background::Ticket> pending_;
+  io::Background thread_;  // last: it uses the others
+};
+
+/// Where the next film goes: pupflow-STEP.mp4, with -2, -3 ... where that is taken.
+std::string film_path(std::int64_t step);
+
+}  // namespace pupflow::window

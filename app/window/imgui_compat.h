@@ -1,0 +1,82 @@
+// The names that changed between Dear ImGui 1.86 and 1.92, once. Everybody else uses these.
+#pragma once
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+namespace pupflow::window {
+
+// Since 1.92 a font has no size of its own: sizes are given where text is drawn, and the renderer
+// makes glyphs as they are needed. The sizes that fonts were added with are still those to use.
+#if IMGUI_VERSION_NUM >= 19200
+
+inline float pixel_size(const ImFont& font) {
+  return font.LegacySize;
+}
+inline float ascent(ImFont& font) {
+  return font.GetFontBaked(font.LegacySize)->Ascent;
+}
+inline void push_font(ImFont* font) {
+  ImGui::PushFont(font, font->LegacySize);
+}
+inline float font_scale() {
+  return ImGui::GetStyle().FontScaleMain;
+}
+inline void set_font_scale(float scale) {
+  ImGui::GetStyle().FontScaleMain = scale;
+}
+inline void remake_font_texture() {}
+
+#else
+
+/// The size that the font was added with, in pixels of its texture, and how far it rises above the
+/// baseline.
+inline float pixel_size(const ImFont& font) {
+  return font.FontSize;
+}
+inline float ascent(const ImFont& font) {
+  return font.Ascent;
+}
+
+/// ImGui::PopFont ends it.
+inline void push_font(ImFont* font) {
+  ImGui::PushFont(font);
+}
+
+/// Factor by which all fonts are drawn smaller or larger than their pixels.
+inline float font_scale() {
+  return ImGui::GetIO().FontGlobalScale;
+}
+inline void set_font_scale(float scale) {
+  ImGui::GetIO().FontGlobalScale = scale;
+}
+
+/// After fonts were added: the next frame makes their texture anew.
+inline void remake_font_texture() {
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+}
+
+#endif
+
+// Renamed in 1.91: the old names go.
+#if IMGUI_VERSION_NUM >= 19140
+constexpr auto kCursorColor = ImGuiCol_NavCursor;
+#else
+constexpr auto kCursorColor = ImGuiCol_NavHighlight;
+#endif
+#if IMGUI_VERSION_NUM >= 19100
+constexpr auto kKeepsPopups = ImGuiSelectableFlags_NoAutoClosePopups;
+#else
+constexpr auto kKeepsPopups = ImGuiSelectableFlags_DontClosePopups;
+#endif
+
+/// Whether a key went down, or repeats. Before 1.87 keys of Dear ImGui were places in a table.
+inline bool key_pressed(ImGuiKey key) {
+#if IMGUI_VERSION_NUM >= 18700
+  return ImGui::IsKeyPressed(key);
+#else
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+#endif
+}
+
+}  // namespace pupflow::window

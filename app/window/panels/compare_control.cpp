@@ -1,0 +1,125 @@
+#include "app/window/panels/compare_control.h"
+
+#include <imgui.h>
+
+#include "app/window/panels/resets.h"
+#include "app/window/typed_number.h"
+
+namespace pupflow::window {
+namespace {
+
+constexpr const char* kPopup = "compare";
+
+bool can_differ(const Parameter& parameter) {
+  return parameter.effect != Parameter::Effect::run || parameter.name == "seed";
+}
+
+}  // namespace
+
+void CompareControl::draw(float width, const PanelInput& in) {
+  std::string label = "Compare";
+  if (in.state.second) {
+    label = difference_text(in.state.view().params, in.state.second->view().params, 1);
+  }
+  const bool on = in.state.second.has_value();
+  if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  if (ImGui::Button((label + "##compare").c_str(), {width, 0})) {
+    problem_.clear();
+    ImGui::OpenPopup(kPopup);
+  }
+  if (on) ImGui::PopStyleColor();
+  in.events.widget("compare");
+  if (!ImGui::BeginPopup(kPopup)) return;
+  if (on) {
+    draw_end(in);
+  } else {
+    draw_choice(in);
+  }
+  ImGui::EndPopup();
+}
+
+void CompareControl::draw_choice(const PanelInput& in) {
+  const float width = 14 * ImGui::GetFontSize();
+  ImGui::TextUnformatted("A second litter beside this one, the same but for");
+  const Parameter* chosen = find_parameter(parameter_);
+  ImGui::SetNextItemWidth(width);
+  const bool open = ImGui::BeginCombo("##parameter", std::string(chosen->title).c_str());
+  in.events.widget("compare-parameter");
+  if (open) {
+    for (const Parameter& parameter : parameters()) {
+      if (!can_differ(parameter)) continue;
+      if (ImGui::Selectable(std::string(parameter.title).c_str(), &parameter == chosen)) {
+        parameter_ = parameter.name;
+        value_.clear();
+        problem_.clear();
+      }
+      in.events.widget("compare-" + std::string(parameter.name));
+    }
+    ImGui::EndCombo();
+  }
+  draw_value(*chosen, in);
+  ImGui::Checkbox("from now on", &from_now_);
+  in.events.widget("compare-now");
+  ImGui::SameLine();
+  ImGui::TextDisabled(from_now_ ? "both go on from here" : "both begin at the start");
+  if (ImGui::Button("Compare##start", {width, 0})) {
+    Params with = in.controls.params;
+    Problem problem;
+    if (!parse_value(*chosen, value_, with, problem)) {
+      problem_ = problem.message;
+    } else if (with == in.controls.params) {
+      problem_ = "That is the value of this litter.";
+    } else if (const auto problems = check(with); !problems.empty()) {
+      problem_ = problems.front().message;
+    } else {
+      in.controls.commands.push_back(Compare{with, from_now_});
+      ImGui::CloseCurrentPopup();
+    }
+  }
+  in.events.widget("compare-start");
+  ImGui::PushStyleColor(ImGuiCol_Text, ImU32{kBad});
+  ImGui::TextUnformatted(problem_.empty() ? " " : problem_.c_str());
+  ImGui::PopStyleColor();
+}
+
+void CompareControl::draw_value(const Parameter& parameter, const PanelInput& in) {
+  const float width = 14 * ImGui::GetFontSize();
+  if (value_.empty()) value_ = format_value(parameter, in.controls.params);
+  if (parameter.kind == Parameter::Kind::choice) {
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##value", value_.c_str())) {
+      for (const std::string_view name : parameter.choices) {
+        if (ImGui::Selectable(std::string(name).c_str(), name == value_)) value_ = name;
+      }
+      ImGui::EndCombo();
+    }
+    in.events.widget("compare-value");
+    return;
+  }
+  if (const auto text = entry_.draw("##value", value_, width)) {
+    const Typed typed = read_typed(parameter, *text);
+    const double* number = std::get_if<double>(&typed);
+    problem_ = number ? "" : std::get<std::string>(typed);
+    if (number) value_ = format_value(parameter, *number);
+  }
+  in.events.widget("compare-value");
+  ImGui::SameLine();
+  ImGui::TextDisabled("here %s", format_value(parameter, in.controls.params).c_str());
+}
+
+void CompareControl::draw_end(const PanelInput& in) {
+  const LitterView here = in.state.view(), there = in.state.second->view();
+  ImGui::TextUnformatted(difference_text(here.params, there.params).c_str());
+  if (in.state.diverged_at) {
+    ImGui::TextDisabled("They parted at step %lld.", static_cast<long long>(*in.state.diverged_at));
+  } else {
+    ImGui::TextDisabled("They have not parted yet.");
+  }
+  if (ImGui::Button("End the comparison")) {
+    in.controls.commands.push_back(Compare{});
+    ImGui::CloseCurrentPopup();
+  }
+  in.events.widget("compare-end");
+}
+
+}  // namespace pupflow::window

@@ -1,0 +1,413 @@
+#include "app/window/session/litter.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+namespace pupflow::window {
+namespace {
+
+Schedule schedule_of(std::span<const Change> changes) {
+  Schedule schedule;
+  for (const Change& change : changes) schedule.add(change);
+  return schedule;
+}
+
+bool sets(const Change& change, std::size_t parameter) {
+  return std::any_of(change.settings.begin(), change.settings.end(),
+                     [&](const Setting& setting) { return setting.parameter == parameter; });
+}
+
+/// The value with which the next step begins.
+double next_value(const Params& recipe, std::int64_t steps, std::size_t parameter) {
+  Params next = recipe;
+  apply_schedule(recipe, steps, next);
+  return parameters()[parameter].get(next);
+}
+
+std::string first_of(const std::vector<Problem>& problems) {
+  return problems.empty() ? std::string{} : problems.front().message;
+}
+
+std::string not_enough_memory(const Params& params) {
+  return "not enough memory for " + std::to_string(params.pups) + " pups of " +
+         std::to_string(points_per_pup(params)) + " points; fewer of either would fit";
+}
+
+/// What stays of `schedule` when others set these parameters, and there are only so many pups.
+Schedule without(const Schedule& schedule, std::span<const Setting> settings, int pups) {
+  Schedule rest;
+  for (Change change : schedule.changes()) {
+    std::erase_if(change.settings, [&](const Setting& old) {
+      return std::any_of(settings.begin(), settings.end(), [&](const Setting& setting) {
+        return setting.parameter == old.parameter;
+      });
+    });
+    if (change.pup ? *change.pup < pups : !change.settings.empty()) rest.add(std::move(change));
+  }
+  return rest;
+}
+
+}  // namespace
+
+Litter::Litter(const Params& recipe, std::shared_ptr<const Snapshot> from, int threads,
+               const Recording& recording)
+    : begun_with_(recipe.schedule),
+      run_{.recipe = recipe, .from = std::move(from)},
+      simulation_(run_.kept_at(run_.first())),
+      threads_(threads),
+      recording_(recording) {
+  run_.recipe = simulation_.recipe();
+  run_.last = run_.first();
+  prepare();
+}
+
+void Litter::record(const Recording& recording) {
+  const bool other_observer = recording.observed != recording_.observed;
+  recording_ = recording;
+  simulation_.set_observed(parts());
+  if (!other_observer) return;
+  observables_.reset();
+  observer_.reset();
+  begin_to_observe();
+}
+
+PartSet Litter::parts() const {
+  return recording_.parts | (recording_.observed ? ObservableSet::all().parts() : PartSet{});
+}
+
+/// What a simulation needs that is new here.
+void Litter::prepare() {
+  simulation_.set_threads(threads_);
+  simulation_.set_observed(parts());
+  observables_.reset();
+  observer_.reset();
+  begin_to_observe();
+}
+
+/// Where contacts were not recorded, an observer that compares steps must see a step first.
+void Litter::begin_to_observe() {
+  const PartSet needed = ObservableSet::all().parts();
+  const bool recorded = simulation_.view().recorded.includes(needed);
+  if (!recording_.observed || (at() > 0 && !recorded)) return;
+  observer_.emplace(simulation_);
+  watched_from_ = at();
+}
+
+void Litter::step() {
+  const bool known = in_past();
+  if (!simulation_.step().ok()) {
+    target_.reset();
+    if (!known) mark_bad();
+    return;
+  }
+  const bool arrived = target_ && at() >= *target_;
+  look(target_ && !arrived && known);
+  if (!known) keep();
+  if (!arrived) return;
+  target_.reset();
+  refresh();
+}
+
+/// Nobody sees the observables of a step that is only `passing`.
+void Litter::look(bool passing) {
+  if (!recording_.observed) return;
+  if (!observer_) {
+    observer_.emplace(simulation_);
+    watched_from_ = at();
+  } else if (passing) {
+    observer_->pass(simulation_);
+    observables_.reset();
+  } else {
+    observables_ = observer_->observe(simulation_);
+  }
+}
+
+/// Adds a step that is new to the run.
+void Litter::keep() {
+  run_.last = at();
+  if (observables_) run_.history.add(at(), simulation_.time(), *observables_, simulation_);
+  for (const Warning& warning : simulation_.warnings()) {
+    const bool told = std::any_of(run_.warnings.begin(), run_.warnings.end(),
+                                  [&](const Warning& old) { return old.kind == warning.kind; });
+    if (!told) run_.warnings.push_back(warning);
+  }
+  if (!run_.keyframes.wants(at())) return;
+  run_.keyframes.add(simulation_);
+  thin_out();
+}
+
+void Litter::mark_bad() {
+  const Status& status = simulation_.status();
+  const auto bad = [](const Run::Mark& mark) { return mark.kind == Timeline::Kind::bad; };
+  if (std::any_of(run_.marks.begin(), run_.marks.end(), bad)) return;
+  run_.add({{at(), {}, Timeline::Kind::bad, status.message()}});
+}
+
+void Litter::seek(std::int64_t step) {
+  step = std::max(step, run_.first());
+  target_.reset();
+  if (ok() && step == at()) return;
+  const std::int64_t before = step_before(step);
+  const auto frame = run_.keyframes.at_or_before(before);
+  const bool watched = !recording_.observed || (observer_ && watched_from_ <= before);
+  const bool nearer = at() < step && at() >= (frame ? frame->step : run_.first());
+  if (ok() && watched && nearer) {
+    target_ = step;
+  } else {
+    seek_anew(step);
+  }
+}
+
+void Litter::seek_anew(std::int64_t step) {
+  target_.reset();
+  simulation_ = run_.kept_at(step_before(step));
+  prepare();
+  if (at() < step) {
+    target_ = step;
+  } else {
+    refresh();
+  }
+}
+
+/// The state from which steps must be taken so that the last one records what is wanted, and the
+/// observables can be compared with those before.
+std::int64_t Litter::step_before(std::int64_t step) const {
+  const std::int64_t lag = recording_.observed ? params().flow_lag : 1;
+  return std::max(step - lag, run_.first());
+}
+
+/// Shows what the user has set at this step, which the next one takes.
+void Litter::refresh() {
+  Params now = params();
+  for (const Change& change : simulation_.recipe().schedule.changes()) {
+    if (change.step != at() || change.until || !is_own(change)) continue;
+    for (const auto& [place, value] : change.settings) parameters()[place].set(now, value);
+  }
+  show(now);
+}
+
+/// Takes what the schedule will bring anyway.
+void Litter::show(const Params& now) {
+  if (now == params()) return;
+  const Schedule schedule = simulation_.recipe().schedule;
+  simulation_.set_params(now);
+  simulation_.set_schedule(schedule);
+}
+
+/// Whether the user made that change.
+bool Litter::is_own(const Change& change) const {
+  const auto begun = begun_with_.changes();
+  return std::find(begun.begin(), begun.end(), change) == begun.end();
+}
+
+/// What stays of the changes that begin now or later, when those of the user's that `replaced` is
+/// true of do not. In the past, of the user's own only what goes on with earlier ones stays.
+template <class Replaced>
+std::vector<Change> Litter::to_come(const Replaced& replaced) const {
+  const auto changes = simulation_.recipe().schedule.changes();
+  const auto goes_on = [&](const Change& change) {  // the way back of a ramp
+    return std::any_of(changes.begin(), changes.end(), [&](const Change& earlier) {
+      return earlier.step < at() && earlier.until == change.step && is_own(earlier) &&
+             !change.settings.empty() && sets(earlier, change.settings[0].parameter);
+    });
+  };
+  std::vector<Change> stay;
+  for (const Change& change : changes) {
+    if (change.step < at()) continue;
+    const bool stays = !is_own(change) || (!replaced(change) &&
+                                           (change.step == at() || !in_past() || goes_on(change)));
+    if (stays) stay.push_back(change);
+  }
+  return stay;
+}
+
+/// What would be wrong with the recipe if `changes` were what begins now or later.
+std::string Litter::problem_with(std::span<const Change> changes) const {
+  Params trial = simulation_.recipe();
+  trial.schedule = {};
+  for (const Change& change : simulation_.recipe().schedule.changes()) {
+    if (change.step < at()) trial.schedule.add(change);
+  }
+  for (const Change& change : changes) trial.schedule.add(change);
+  return first_of(check(trial));
+}
+
+/// Makes `changes` what begins now or later. In the past another future begins.
+void Litter::amend(std::span<const Change> changes) {
+  if (in_past()) {
+    other_ = run_;
+    parted_at_ = at();
+    run_.cut(at());
+    thin_out();
+  }
+  simulation_.set_schedule(schedule_of(changes));
+  run_.recipe = simulation_.recipe();
+}
+
+std::string Litter::set(std::span<const Setting> settings) {
+  const auto replaced = [&](const Change& change) {
+    return std::any_of(settings.begin(), settings.end(),
+                       [&](const Setting& setting) { return sets(change, setting.parameter); });
+  };
+  Params wanted = params();
+  for (const auto& [place, value] : settings) parameters()[place].set(wanted, value);
+  if (std::string problem = first_of(check(wanted)); !problem.empty()) return problem;
+  const std::vector<Change> stay = to_come(replaced);
+  std::vector<Change> trial = stay;
+  for (const Setting& setting : settings) {
+    if (parameters()[setting.parameter].effect != Parameter::Effect::next_step) continue;
+    trial.push_back({.step = at(), .until = {}, .settings = {setting}, .pup = {}, .action = {}});
+  }
+  if (std::string problem = problem_with(trial); !problem.empty()) return problem;
+
+  forget_what_was_set_now(replaced, settings, stay);
+  const std::int64_t lag = params().flow_lag;
+  simulation_.set_params(wanted);
+  set_in_spite_of_ramps(settings);
+  run_.recipe = simulation_.recipe();
+  for (const Setting& setting : settings) run_.end_ramps(setting.parameter, at());
+  if (params().flow_lag != lag) prepare();
+  return {};
+}
+
+/// Amends, and shows the values that hold without what the user had set at this step before.
+template <class Replaced>
+void Litter::forget_what_was_set_now(const Replaced& replaced, std::span<const Setting> settings,
+                                     std::span<const Change> stay) {
+  const auto old = simulation_.recipe().schedule.changes();
+  const bool forgets = std::any_of(old.begin(), old.end(), [&](const Change& change) {
+    return change.step == at() && is_own(change) && replaced(change);
+  });
+  amend(stay);
+  if (!forgets) return;
+  Params now = params();
+  for (const Setting& setting : settings) {
+    parameters()[setting.parameter].set(now,
+                                        next_value(simulation_.recipe(), at(), setting.parameter));
+  }
+  show(now);
+}
+
+/// A ramp that goes on may just pass the value that is set.
+void Litter::set_in_spite_of_ramps(std::span<const Setting> settings) {
+  Schedule schedule = simulation_.recipe().schedule;
+  bool changed = false;
+  for (const auto& [place, value] : settings) {
+    if (next_value(simulation_.recipe(), at(), place) == value) continue;
+    schedule.set(at(), place, value);
+    changed = true;
+  }
+  if (changed) simulation_.set_schedule(schedule);
+}
+
+std::string Litter::ramp(std::size_t parameter, std::span<const Change> changes) {
+  std::vector<Change> all = to_come([&](const Change& change) {
+    return sets(change, parameter) && (change.step > at() || change.until);
+  });
+  all.insert(all.end(), changes.begin(), changes.end());
+  if (std::string problem = problem_with(all); !problem.empty()) return problem;
+  amend(all);
+  run_.end_ramps(parameter, at());
+  return {};
+}
+
+void Litter::act(const Change& change) {
+  std::vector<Change> all = to_come([](const Change&) { return false; });
+  all.push_back(change);
+  amend(all);
+}
+
+Params Litter::start() const {
+  Params start = params();
+  for (const Change& change : begun_with_.changes()) {
+    for (const auto& [place, value] : change.settings) {
+      const Parameter& parameter = parameters()[place];
+      parameter.set(start, parameter.get(run_.recipe));
+    }
+  }
+  start.schedule = begun_with_;
+  return start;
+}
+
+std::string Litter::restart(const Params& recipe, std::shared_ptr<const Snapshot> from) {
+  if (std::string problem = first_of(check(recipe)); !problem.empty()) return problem;
+  Run begun{.recipe = recipe, .from = std::move(from)};
+  try {
+    simulation_ = begun.kept_at(begun.first());
+  } catch (const std::bad_alloc&) {
+    return not_enough_memory(recipe);
+  }
+  begun.last = begun.first();
+  target_.reset();
+  other_ = std::exchange(run_, std::move(begun));
+  parted_at_ = run_.first();
+  prepare();
+  thin_out();
+  return {};
+}
+
+void Litter::swap() {
+  std::swap(run_, *other_);
+  seek_anew(run_.last);
+}
+
+std::string Litter::beside(std::span<const Setting> different, bool from_now,
+                           std::optional<Litter>& second) const {
+  const bool new_one = !from_now && !run_.from;
+  for (const Setting& setting : different) {
+    const Parameter& parameter = parameters()[setting.parameter];
+    if (new_one || parameter.effect != Parameter::Effect::restart) continue;
+    return std::string(parameter.name) + " defines the litter, so both must begin anew" +
+           (from_now ? "" : ", and this run began from a checkpoint");
+  }
+  try {
+    Litter other = from_now ? forked() : from_begin(different);
+    std::string problem = new_one ? std::string{} : other.set(different);
+    if (problem.empty()) second = std::move(other);
+    return problem;
+  } catch (const InvalidParams& problem) {
+    return first_of(problem.problems());
+  } catch (const std::bad_alloc&) {
+    return not_enough_memory(params());
+  }
+}
+
+/// As it is now, with the run so far.
+Litter Litter::forked() const {
+  Litter fork = *this;
+  fork.amend(fork.to_come([](const Change&) { return false; }));
+  fork.other_.reset();
+  return fork;
+}
+
+/// From the beginning of the run. Values at the start are those that are `different`; where it began
+/// from a checkpoint, they are still to be set.
+Litter Litter::from_begin(std::span<const Setting> different) const {
+  Params recipe = run_.recipe;
+  if (!run_.from) {
+    for (const auto& [place, value] : different) parameters()[place].set(recipe, value);
+  }
+  recipe.schedule = without(run_.recipe.schedule, different, recipe.pups);
+  Litter begun(recipe, run_.from, threads_, recording_);
+  begun.begun_with_ = without(begun_with_, different, recipe.pups);
+  return begun;
+}
+
+void Litter::forget_parting() {
+  run_.diverged_at.reset();
+  if (other_) other_->diverged_at.reset();
+}
+
+void Litter::keep_within(std::size_t bytes) {
+  bytes_ = bytes;
+  thin_out();
+}
+
+void Litter::thin_out() {
+  const std::size_t share = other_ ? bytes_ / 2 : bytes_;
+  run_.keyframes.keep_within(share);
+  if (other_) other_->keyframes.keep_within(share);
+}
+
+}  // namespace pupflow::window

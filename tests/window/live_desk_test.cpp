@@ -1,0 +1,245 @@
+// Scenes, settings and closing of the window.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "app/io/checkpoint.h"
+#include "app/io/scene_file.h"
+#include "pupflow/simulation.h"
+#include "tests/window/live_fixture.h"
+
+namespace pupflow::testing {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class LiveDesk : public Live {
+ protected:
+  /// A paused window whose litter was edited.
+  void open_and_edit(std::vector<std::string> options = {}) {
+    options.insert(options.end(), {"--paused", "--seed", "3"});
+    open(options);
+    type_into_slider("ta", "0.25");
+    while (!await("title ").starts_with("untitled*")) {
+    }
+  }
+
+  /// Types into the dialog's name field, which has the keyboard.
+  void answer_name(const std::string& name) {
+    await("widget dialog-name ");
+    await("text on");
+    screen_.hand({"sleep", "0.2", "key", "ctrl+a", "sleep", "0.1", "type", "--delay", "40", name});
+    screen_.hand({"sleep", "0.2", "key", "Return"});
+  }
+
+  static std::string settings_path() { return config_folder() + "/pupflow/settings.toml"; }
+
+  Params scene(const std::string& name) {
+    std::vector<std::string> problems;
+    const Params params = io::load_scene(scratch_.path(name), problems).params;
+    EXPECT_THAT(problems, ::testing::IsEmpty());
+    return params;
+  }
+};
+
+TEST_F(LiveDesk, QuittingWithoutEditsAsksNothing) {
+  open({"cold"});
+  screen_.press("q");
+  EXPECT_EQ(exit_code(), 0);
+  EXPECT_EQ(window_->errors(), "");
+}
+
+TEST_F(LiveDesk, QuittingAfterEditsAsksAndEscapeGoesOn) {
+  open_and_edit();
+  screen_.press("q");
+  await("widget dialog-discard ");
+  screen_.press("Escape");
+  screen_.hand({"sleep", "0.5"});
+  screen_.press("Right");
+  EXPECT_EQ(await("step "), "1") << "the window is still there";
+  screen_.press("q");
+  screen_.hand({"sleep", "1"});
+  click("dialog-discard");
+  EXPECT_EQ(exit_code(), 0);
+}
+
+TEST_F(LiveDesk, TheWindowSystemsCloseAsksToo) {
+  open_and_edit();
+  screen_.close_window();
+  await("widget dialog-save ");
+  screen_.press("Return");
+  answer_name("kept");
+  EXPECT_EQ(await("saved "), scratch_.path("kept.toml"));
+  EXPECT_EQ(exit_code(), 0) << "and goes on closing when it is saved";
+  EXPECT_EQ(scene("kept.toml").schedule.changes().size(), 1u);
+}
+
+TEST_F(LiveDesk, ClosingByTheClockAsksNothing) {
+  open_and_edit({"--exit-after", "8"});
+  EXPECT_EQ(exit_code(), 0);
+}
+
+TEST_F(LiveDesk, ASavedSceneRepeatsWhatWasSeen) {
+  open_and_edit();
+  screen_.press("shift+Right");
+  await("hash 100 ");
+  type_into_slider("alpha", "0.55");
+  screen_.press("shift+Right");
+  const std::string hash = await("hash 200 ");
+  screen_.press("ctrl+s");
+  answer_name("mine");
+  EXPECT_EQ(await("saved "), scratch_.path("mine.toml"));
+  EXPECT_THAT(await("title "), StartsWith("mine \u2013"));
+  EXPECT_EQ(headless_hash(scene("mine.toml"), 200), hash);
+}
+
+TEST_F(LiveDesk, TheCopiedCommandGivesTheSameHash) {
+  open({"cold", "--paused", "--seed", "6"});
+  screen_.press("shift+Right");
+  await("hash 100 ");
+  type_into_slider("beta", "0.3");
+  screen_.press("shift+Right");
+  const std::string hash = await("hash 200 ");
+  screen_.press("ctrl+c");
+  const std::string command = await("copied ");
+  EXPECT_EQ(command, "pupflow run cold --at step=100,beta=0.3 --seed 6 --steps 200");
+  const std::string program = std::filesystem::path(PUPFLOW_PROGRAM).parent_path().string();
+  Child shell({.arguments = {"sh", "-c", "PATH=" + program + ":$PATH; " + command + " --quiet"},
+               .environment = {},
+               .folder = scratch_.folder().string()});
+  std::string printed;
+  while (const auto line = shell.read_line()) printed += *line + '\n';
+  EXPECT_THAT(printed, HasSubstr(std::string(16 - hash.size(), '0') + hash));
+}
+
+TEST_F(LiveDesk, OpensShippedScenesFromTheMenu) {
+  open({"--paused"});
+  click("menu-Scene");
+  click("menu-shipped");
+  click("menu-scene-cold");
+  EXPECT_EQ(await("opened "), "cold");
+  EXPECT_EQ(await("value ta "), "0.2");
+}
+
+TEST_F(LiveDesk, OpensFilesByDialogAndSaysWhyOneCannotBe) {
+  scratch_.file("broken.toml", "tta = 1\n");
+  scratch_.file("fine.toml", "title = 'Fine'\npups = 2\n");
+  open({"--paused"});
+  screen_.press("ctrl+o");
+  answer_name("broken.toml");
+  EXPECT_THAT(await("refused "), HasSubstr("unknown key 'tta'"));
+  click("file-fine.toml");
+  screen_.hand({"sleep", "0.3"});
+  click("dialog-accept");
+  EXPECT_EQ(await("opened "), scratch_.path("fine.toml"));
+  EXPECT_EQ(await("value pups "), "2");
+}
+
+TEST_F(LiveDesk, OpensACheckpointWithItsLitter) {
+  Params params;
+  params.seed = 12;
+  Simulation simulation(params);
+  simulation.run(30);
+  io::write_checkpoint(scratch_.path("litter.h5"), false, simulation);
+  open({"--paused"});
+  screen_.press("ctrl+o");
+  answer_name("litter.h5");
+  await("opened ");
+  EXPECT_EQ(await("hash 30 "), headless_hash(params, 30));
+}
+
+TEST_F(LiveDesk, OpeningOverEditsAsksFirst) {
+  scratch_.file("fine.toml", "pups = 2\n");
+  open_and_edit();
+  screen_.press("ctrl+o");
+  answer_name("fine.toml");
+  await("widget dialog-discard ");
+  screen_.hand({"sleep", "0.3"});
+  click("dialog-discard");
+  EXPECT_EQ(await("value pups "), "2");
+}
+
+TEST_F(LiveDesk, SettingsAreKeptForTheNextWindow) {
+  open({"--paused", "--size", "1000x700"});
+  screen_.press("ctrl+plus");
+  screen_.press("ctrl+d");
+  screen_.press("h");
+  screen_.hand({"sleep", "0.5"});
+  screen_.press("q");
+  EXPECT_EQ(exit_code(), 0);
+  const std::string kept = test::contents(settings_path());
+  EXPECT_THAT(kept, HasSubstr("theme = \"dark\""));
+  EXPECT_THAT(kept, HasSubstr("panels = false"));
+  EXPECT_THAT(kept, HasSubstr("ui_scale = 1.1"));
+  EXPECT_THAT(kept, HasSubstr("width = 1400")) << "an option is no setting";
+  open({"--paused"});
+  EXPECT_EQ(widgets().count("ta"), 0u) << "the panels are still closed";
+}
+
+TEST_F(LiveDesk, BrokenSettingsAreSetAsideAndTheWindowOpens) {
+  std::filesystem::create_directories(std::filesystem::path(settings_path()).parent_path());
+  std::ofstream(settings_path()) << "theme = 7\n";
+  open({"--paused"});
+  screen_.press("q");
+  EXPECT_EQ(exit_code(), 0);
+  EXPECT_THAT(window_->errors(), HasSubstr("theme must be light or dark; it is now "));
+  EXPECT_EQ(test::contents(settings_path() + ".broken"), "theme = 7\n");
+}
+
+TEST_F(LiveDesk, WithoutAPlaceForSettingsTheWindowWorksOn) {
+  scratch_.file("file", "");
+  open({"--paused"}, {"XDG_CONFIG_HOME=" + scratch_.path("file")});
+  screen_.press("ctrl+d");
+  screen_.press("Right");
+  EXPECT_EQ(await("step "), "1");
+  screen_.press("q");
+  EXPECT_EQ(exit_code(), 0);
+  EXPECT_THAT(window_->errors(), HasSubstr("settings are not kept: "));
+}
+
+TEST_F(LiveDesk, AFilmHasEveryFrameAndTheSimulationWaitsForThem) {
+  if (run_command({.arguments = {"ffmpeg", "-version"}, .environment = {}, .folder = {}}) != 0) {
+    GTEST_SKIP() << "ffmpeg is not installed";
+  }
+  open({"--paused", "--seed", "2"});
+  screen_.press("v");
+  await("step 12");  // four steps of 0.01 s between two of 25 frames a second: 4, 8, 12
+  click("record");
+  const std::string film = scratch_.path(await("filmed "));
+  Child probe(
+      {.arguments = {"ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                     "stream=nb_read_frames:format_tags=comment", "-of", "default=nk=1", film},
+       .environment = {},
+       .folder = {}});
+  std::string said;
+  while (const auto line = probe.read_line()) said += *line + '\n';
+  EXPECT_GE(std::stoi(said.substr(said.find('\n') + 1)), 3) << said;
+  EXPECT_THAT(said, HasSubstr("# seed = 2"));
+}
+
+TEST_F(LiveDesk, WithoutFfmpegOneLineSaysWhatToInstall) {
+  open({"--paused"}, {"PATH=/nowhere"});
+  screen_.press("v");
+  EXPECT_THAT(await("refused "), HasSubstr("apt install ffmpeg"));
+}
+
+TEST_F(LiveDesk, FullScreenAndBack) {
+  open({"--paused", "--size", "900x600"});
+  const int help = widget("help").y;
+  screen_.press("F11");
+  Box box = widget("help");
+  while (box.y <= help) {
+    await("widget help ");
+    box = widget("help");
+  }
+  screen_.press("F11");
+  while (box.y != help) {
+    await("widget help ");
+    box = widget("help");
+  }
+}
+
+}  // namespace
+}  // namespace pupflow::testing

@@ -1,0 +1,173 @@
+// Pups in the live window: selected by mouse and keys, followed, inspected, pulled.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "app/io/text.h"
+#include "app/view/framing.h"
+#include "app/view/marks.h"
+#include "pupflow/fields.h"
+#include "pupflow/simulation.h"
+#include "tests/window/live_fixture.h"
+
+namespace pupflow::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr int kSteps = 100;
+
+class LivePups : public Live {
+ protected:
+  /// A paused litter, kSteps after its start, seen from above.
+  void open_litter(std::vector<std::string> options = {}) {
+    options.insert(options.end(), {"--paused", "--seed", "3", "--set", "start=carpet"});
+    open(options);
+    screen_.press("shift+n");
+    await("hash " + std::to_string(kSteps) + ' ');
+    screen_.press("t");
+    while (!await("camera ").starts_with("-1.57")) {
+    }
+  }
+
+  /// The same litter without a window.
+  static Simulation litter() {
+    Params params;
+    params.seed = 3;
+    params.start = Start::carpet;
+    Simulation simulation(params);
+    simulation.set_observed(PartSet::all());
+    simulation.run(kSteps);
+    return simulation;
+  }
+
+  /// Where a place of the arena is on the screen, seen from above.
+  std::pair<int, int> on_screen(const Eigen::Vector3d& place, const Params& params) {
+    const Box arena = widget("arena");
+    const view::Camera camera = view::framed(view::Camera::parse("top"), params,
+                                             static_cast<double>(arena.width) / arena.height);
+    const view::Projection projection(camera, {{-3, -3, -1}, {3, 3, 3}}, arena.width, arena.height);
+    Eigen::Vector2d pixels;
+    EXPECT_TRUE(projection.place(place, pixels));
+    return {arena.x + static_cast<int>(pixels.x()), arena.y + static_cast<int>(pixels.y())};
+  }
+
+  void click_at(std::pair<int, int> place) { screen_.click(place.first, place.second); }
+
+  /// A pup over which no other lies.
+  static int one_on_top(const LitterView& litter) {
+    int top = 0;
+    for (int pup = 1; pup < litter.pups; ++pup) {
+      if (litter.positions.mean(pup).z() > litter.positions.mean(top).z()) top = pup;
+    }
+    return top;
+  }
+};
+
+TEST_F(LivePups, AClickSelectsAPupAndAClickBesideItNone) {
+  open_litter();
+  const Simulation simulation = litter();
+  const int pup = one_on_top(simulation);
+  click_at(on_screen(simulation.view().positions.mean(pup), simulation.params()));
+  EXPECT_EQ(await("selected "), std::to_string(pup));
+  click_at(on_screen({-1.9, -1.9, 0}, simulation.params()));
+  EXPECT_EQ(await("selected "), "none");
+}
+
+TEST_F(LivePups, ADragOverAPupTurnsTheViewAndSelectsNone) {
+  open_litter();
+  const Simulation simulation = litter();
+  const auto [x, y] =
+      on_screen(simulation.view().positions.mean(one_on_top(simulation)), simulation.params());
+  screen_.press_and_move(x, y, x + 60, y);
+  await("camera ");
+  screen_.release();
+  screen_.press("Tab");
+  EXPECT_EQ(await("selected "), "0") << "the first selection";
+}
+
+TEST_F(LivePups, TabGoesThroughThePupsAndTheInspectorShowsTheirFields) {
+  open_litter();
+  screen_.press("Tab");
+  EXPECT_EQ(await("selected "), "0");
+  screen_.press("shift+Tab");
+  EXPECT_EQ(await("selected "), "11");
+  screen_.press("Tab");
+  EXPECT_EQ(await("selected "), "0");
+  click("pup_next");
+  EXPECT_EQ(await("selected "), "1");
+  screen_.press("n");  // what the inspector asks for is recorded from now on
+  await("hash 101 ");
+  Simulation simulation = litter();
+  simulation.step();
+  std::map<std::string, std::string> shown;
+  for (const LitterField& field : pup_fields()) {
+    const double value = field.values(simulation)[1];
+    shown[std::string(field.name)] = io::formatted("%.*f", field.digits, value);
+  }
+  // Points are copied to the window as float, and fields that did not change are not said again.
+  for (const char* name : {"turn", "t_left", "t_right", "x", "qw"}) {
+    EXPECT_NEAR(std::stod(await(std::string("field ") + name + ' ')), std::stod(shown[name]), 2e-3)
+        << name;
+  }
+}
+
+TEST_F(LivePups, ADoubleClickFollowsSoThatThePupIsInTheMiddle) {
+  open_litter();
+  const Simulation simulation = litter();
+  const int pup = one_on_top(simulation);
+  const auto place = on_screen(simulation.view().positions.mean(pup), simulation.params());
+  screen_.hand({"mousemove", std::to_string(place.first), std::to_string(place.second), "sleep",
+                "0.1", "click", "--repeat", "2", "--delay", "120", "1"});
+  EXPECT_EQ(await("selected "), std::to_string(pup));
+  EXPECT_EQ(await("view "), "follow");
+  screen_.press("l");
+  EXPECT_EQ(await("view "), "free");
+  screen_.press("Tab");
+  EXPECT_EQ(await("selected "), std::to_string((pup + 1) % 12));
+  const Box arena = widget("arena");
+  screen_.click(arena.middle_x(), arena.middle_y());
+  EXPECT_EQ(await("selected "), std::to_string(pup)) << "the camera is still where it led";
+}
+
+TEST_F(LivePups, ThePupsEyeLooksAlongItsHeadingAndEndsWhereItBegan) {
+  open_litter();
+  const Simulation simulation = litter();
+  screen_.press("Tab");
+  await("selected 0");
+  screen_.press("e");
+  EXPECT_EQ(await("view "), "eye");
+  const double heading = simulation.view().heading[0];
+  std::istringstream line(await("camera "));
+  double azimuth = 0, elevation = 1;
+  line >> azimuth >> elevation;
+  EXPECT_NEAR(std::remainder(azimuth - heading - M_PI, 2 * M_PI), 0, 1e-4);
+  EXPECT_EQ(elevation, 0);
+  screen_.press("e");
+  EXPECT_EQ(await("view "), "free");
+  EXPECT_THAT(await("camera "), HasSubstr("-1.57"));
+}
+
+TEST_F(LivePups, CtrlAndADragPullAPup) {
+  open_litter();
+  const Simulation simulation = litter();
+  const int pup = one_on_top(simulation);
+  const Eigen::Vector3d from = simulation.view().positions.mean(pup);
+  const auto [x, y] = on_screen(from, simulation.params());
+  screen_.hand({"keydown", "Control_L"});
+  screen_.press_and_move(x, y, x + 50, y);
+  EXPECT_EQ(await("selected "), std::to_string(pup));
+  screen_.hand({"keyup", "Control_L"});
+  // Only the pull is the difference: a step of the same litter without one.
+  Simulation free = simulation;
+  free.step();
+  std::ostringstream hash;
+  hash << std::hex << free.hash();
+  screen_.press("n");
+  EXPECT_NE(await("hash 101 "), hash.str());
+  screen_.release();
+}
+
+}  // namespace
+}  // namespace pupflow::testing

@@ -272,14 +272,23 @@ void PlotsPanel::draw_curves(const Plot& plot, const Frame& frame, std::size_t o
   draw(observable_curve(frame.first, observable, window), colors.curve);
   if (!temperature || frame.first.empty()) return;
   if (frame.selected) draw(pup_curve(frame.first, *frame.selected), colors.selected);
+  name_temperatures(plot, frame);
+}
+
+/// At the end of the lines of T_p and T_a, side by side, so that they never lie over each other.
+void PlotsPanel::name_temperatures(const Plot& plot, const Frame& frame) {
+  const PlotColors colors = plot_colors();
   const History::Sample& newest = *frame.first.back().sample;
-  const float lift = (newest.tp >= newest.ta ? 0.55f : -0.55f) * ImGui::GetFontSize();
-  // At the end of the lines, side by side, so that they never lie over each other.
   const double em =
       static_cast<double>(ImGui::GetFontSize() / frame.width) * (frame.time.high - frame.time.low);
   const double end = std::min(newest.time, frame.time.high) - em;
-  plot.text(end, newest.tp, colors.tp, "T\u209a", lift);
-  plot.text(end - 2 * em, newest.ta, colors.ta, "T\u2090", -lift);
+  const auto name = [&](double x, double value, ImU32 color, const char* text, bool above) {
+    const float line = 0.55f * ImGui::GetFontSize();
+    const float low = plot.y().from - plot.y().place(value);  // room below the line
+    plot.text(x, value, color, text, above || low < 2 * line ? line : -line);
+  };
+  name(end, newest.tp, colors.tp, "T\u209a", newest.tp >= newest.ta);
+  name(end - 2 * em, newest.ta, colors.ta, "T\u2090", newest.ta > newest.tp);
 }
 
 /// A line of fixed place below the plots: what is under the mouse, else what the axis means.

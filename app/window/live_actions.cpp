@@ -240,7 +240,11 @@ void LiveWindow::take_picture() {
   const LiveState& snapshot = runner_.snapshot();
   try {
     const std::string path = picture_path(job_.screenshot, snapshot.view().step);
-    arena_.write_picture(path, snapshot, controls_.look);
+    pictures::Look look = controls_.look;
+    look.scale = scale_;
+    const auto side = [](int pixels) { return std::max(pixels, pictures::kSmallestSide); };
+    arena_.write_picture(path, snapshot, look, marks_.trails(), side(picture_width_),
+                         side(picture_height_));
     events_.screenshot(path);
     show("saved " + path);
   } catch (const io::Failure& failure) {

@@ -110,7 +110,7 @@ void draw_panels_button(const PanelInput& in) {
   const char* label = shown ? kHidePanels : "Panels";
   const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x);
-  if (ImGui::SmallButton(label)) in.controls.actions.push_back(Action::toggle_panels);
+  if (ImGui::Button(label)) in.controls.actions.push_back(Action::toggle_panels);
   in.events.widget("panels");
   in.tips.show("Hide or show the panels (H)");
 }

@@ -51,6 +51,9 @@ class Picture {
   /// Tells of the litter between pictures, for trails. Does nothing without them.
   void watch(const LitterView& litter);
 
+  /// Goes on from trails that were watched elsewhere.
+  void continue_trails(const view::Trails& trails) { trails_ = trails; }
+
   /// The litter as `camera` sees it. In a sequence, automatic scales follow the data within half a
   /// second of the model. The renderer's context must be current. Throws Failure(bad_input) when
   /// the driver allows no picture of that size with the look's samples.

@@ -68,9 +68,11 @@ io::Image ArenaView::picture(pictures::Picture& picture, const LiveState& snapsh
 }
 
 void ArenaView::write_picture(const std::string& path, const LiveState& snapshot,
-                              const pictures::Look& look, int width, int height) {
+                              const pictures::Look& look, const view::Trails& trails, int width,
+                              int height) {
   const LitterView litter = snapshot.view();
   pictures::Picture picture(width, height, true, look);
+  if (look.overlays.has("trails")) picture.continue_trails(trails);
   const view::Camera camera = view::framed(camera_, litter.params, picture.scene_aspect());
   const io::Image image = this->picture(picture, snapshot);
 

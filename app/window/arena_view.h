@@ -65,7 +65,7 @@ class ArenaView {
   /// that look, with the color bar and all that is needed to make it again. Overwrites nothing.
   /// Throws Failure.
   void write_picture(const std::string& path, const LiveState& snapshot, const pictures::Look& look,
-                     int width, int height);
+                     const view::Trails& trails, int width, int height);
 
  private:
   static constexpr double kPatience = 0.006;  // seconds

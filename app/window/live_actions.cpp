@@ -239,7 +239,8 @@ void LiveWindow::take_picture() {
     pictures::Look look = controls_.look;
     look.scale = scale_;
     const auto side = [](int pixels) { return std::max(pixels, pictures::kSmallestSide); };
-    arena_.write_picture(path, snapshot, look, side(picture_width_), side(picture_height_));
+    arena_.write_picture(path, snapshot, look, marks_.trails(), side(picture_width_),
+                         side(picture_height_));
     events_.screenshot(path);
     show("saved " + path);
   } catch (const io::Failure& failure) {

@@ -52,7 +52,9 @@ TEST(Worker, ThrowsWhatTheWorkThrewOnce) {
 
 TEST(Worker, EndsAfterItsWork) {
   std::atomic<bool> done = false;
-  { Worker([&] {}).start([&] { done = true; }); }
+  {
+    Worker([&] {}).start([&] { done = true; });
+  }
   EXPECT_TRUE(done);
 }
 

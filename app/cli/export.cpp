@@ -55,14 +55,15 @@ Verb add_export(CLI::App& program) {
       ->option_text(format_names("|"))
       ->required()
       ->check(not_empty);
-  app->add_option("--out", request.out, "Write to this file; %05d stands for the step of a frame")
+  app->add_option("-o,--out", request.out,
+                  "Write to this file; %05d stands for the step of a frame")
       ->option_text("FILE")
       ->required()
       ->check(not_empty);
   app->add_option("--field", request.field,
                   "The field, as 'pupflow info' names it without its group (default: temperature "
                   "where recorded, else tb)")
-      ->option_text("NAME")
+      ->option_text(format_names("|"))
       ->check(not_empty);
   app->add_option("--pup", request.pup, "One pup instead of all")
       ->option_text("N")
@@ -79,7 +80,10 @@ Verb add_export(CLI::App& program) {
     footer += "  " + std::string(format.name) + ": " + std::string(format.doc) + "\n";
   }
   app->footer(footer);
-  return {app, [options] { work(*options); }};
+  return {app,
+          [options] { work(*options); },
+          {{"export run.h5 --format csv --out run.csv", "A recording as a table"},
+           {"export run.h5 --format vtk --out 'frames/%05d.vtp'", "A file a frame, for ParaView"}}};
 }
 
 }  // namespace pupflow::cli

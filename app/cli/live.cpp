@@ -50,7 +50,7 @@ Verb add_live(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CommonHelp help;
   help.threads = "Threads that share a step (default: all cores, where the litter is large enough)";
-  help.out_names = "--screenshots,--out";
+  help.out_names = "-o,--screenshots,--out";
   help.out = "Where the screenshot key writes; %d or %0Nd stands for the step";
   help.quiet = "Accepted everywhere; the window prints nothing but errors";
   add_common(*app, options->common, help);
@@ -67,7 +67,10 @@ Verb add_live(CLI::App& program) {
       ->check(between(0.0, 1e6));
   app->add_flag("--test-events", options->test_events)->group("");
   add_look(*app, options->look, true);
-  return {app, [options] { work(*options); }};
+  return {app,
+          [options] { work(*options); },
+          {{"live", "The paper's litter, playing"},
+           {"live cold --paused --set pups=24", "A shipped scene with more pups, at its start"}}};
 }
 
 }  // namespace pupflow::cli

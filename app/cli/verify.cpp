@@ -60,7 +60,10 @@ Verb add_verify(CLI::App& program) {
   app->footer(
       "Exit code 0 when every file is the same, 1 when one differs: the line says the first "
       "step, pup and field.");
-  return {app, [options] { work(*options); }};
+  return {app,
+          [options] { work(*options); },
+          {{"verify figure1.png", "Whether the picture's run gives the same litter here"},
+           {"verify run.h5 cold.csv", "Several files of this program"}}};
 }
 
 }  // namespace pupflow::cli

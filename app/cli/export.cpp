@@ -63,7 +63,7 @@ Verb add_export(CLI::App& program) {
   app->add_option("--field", request.field,
                   "The field, as 'pupflow info' names it without its group (default: temperature "
                   "where recorded, else tb)")
-      ->option_text(format_names("|"))
+      ->option_text("FIELD")
       ->check(not_empty);
   app->add_option("--pup", request.pup, "One pup instead of all")
       ->option_text("N")
@@ -74,7 +74,7 @@ Verb add_export(CLI::App& program) {
                   "gcal: what becomes 0 and 1; beyond is cut off (default: the field's range)")
       ->option_text("MIN,MAX");
   app->add_flag("--force", request.force, "Replace output files that exist");
-  app->add_flag("--quiet", options->quiet, "No progress");
+  app->add_flag("-q,--quiet", options->quiet, "No progress");
   std::string footer = "Formats:\n";
   for (const exporting::Format& format : exporting::formats()) {
     footer += "  " + std::string(format.name) + ": " + std::string(format.doc) + "\n";
@@ -82,7 +82,7 @@ Verb add_export(CLI::App& program) {
   app->footer(footer);
   return {app,
           [options] { work(*options); },
-          {{"export run.h5 --format csv --out run.csv", "A recording as a table"},
+          {{"export run.h5 --format npy --out tb.npy", "Body temperatures as a numpy array"},
            {"export run.h5 --format vtk --out 'frames/%05d.vtp'", "A file a frame, for ParaView"}}};
 }
 

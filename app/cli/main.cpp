@@ -109,7 +109,9 @@ Failure bad_command_line(const CLI::ParseError& error, const std::string& comman
   say_instead(": At most 1 required", " is given twice");
   say_instead(" is required", " must be given");
   say_instead(": At least 2 required", " must be given twice");
-  say_instead(" Flag override", " takes no value");
+  if (const std::size_t at = message.find(" was given a disallowed"); at != std::string::npos) {
+    message = "--" + message.substr(0, at) + " takes no value";
+  }
   return {ExitCode::bad_input, message + "; see '" + command + " --help'"};
 }
 

@@ -1,6 +1,7 @@
 // The manual as pages of the docs.
 #include "app/cli/manual.h"
 #include "app/io/table.h"
+#include "app/io/text.h"
 
 namespace pupflow::cli {
 namespace {
@@ -9,17 +10,29 @@ namespace {
 std::string cell(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '|' || c == '<' || c == '*') out += '\\';
+    if (c == '<' || c == '*') out += '\\';
     out += c == '\n' ? ' ' : c;
   }
   return out;
 }
 
-std::string code(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) {
-    text.insert(at, "\\");
-  }
+std::string code(const std::string& text) {
   return "`" + text + "`";
+}
+
+/// A remark; its indented lines are a list.
+std::string paragraph(const std::string& remark) {
+  std::string text;
+  bool in_list = false;
+  for (const std::string_view line : io::split(remark, '\n')) {
+    if (line.empty()) continue;
+    const bool item = line.starts_with("  ");
+    if (item && !in_list) text += '\n';
+    text += item ? "- " + std::string(line.substr(2)) : std::string(line);
+    text += '\n';
+    in_list = item;
+  }
+  return text + '\n';
 }
 
 std::string table(const std::string& title, const std::string& column,
@@ -47,7 +60,7 @@ std::string markdown_page(const Page& page) {
   std::string text = "# " + page.name + "\n\n" + page.summary + "\n\n    " + page.usage() + "\n\n";
   text += table("Verbs", "verb", page.verbs) + table("Arguments", "argument", page.arguments) +
           table("Options", "option", page.options);
-  for (const std::string& remark : page.remarks) text += remark + "\n\n";
+  for (const std::string& remark : page.remarks) text += paragraph(remark);
   if (!page.examples.empty()) text += "## Examples\n\n";
   for (const Example& example : page.examples) {
     text += example.does + ":\n\n    pupflow " + example.command + "\n\n";

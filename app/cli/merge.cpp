@@ -37,7 +37,7 @@ Verb add_merge(CLI::App& program) {
       ->check(not_empty);
   add_plot_script(*app, options->plot_script);
   app->add_flag("--force", options->force, "Replace another sweep there");
-  app->add_flag("--quiet", options->quiet, "No summary at the end");
+  app->add_flag("-q,--quiet", options->quiet, "No summary at the end");
   return {app,
           [options] { merge(*options); },
           {{"merge shard-1 shard-2 --out whole", "Two shards of one sweep, joined"},

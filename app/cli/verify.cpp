@@ -56,7 +56,7 @@ Verb add_verify(CLI::App& program) {
   app->add_option("--threads", options->threads, "Threads (default: all cores)")
       ->option_text("N")
       ->check(between(1, 1024));
-  app->add_flag("--quiet", options->quiet, "Print nothing; the exit code tells");
+  app->add_flag("-q,--quiet", options->quiet, "Print nothing; the exit code tells");
   app->footer(
       "Exit code 0 when every file is the same, 1 when one differs: the line says the first "
       "step, pup and field.");

@@ -68,7 +68,7 @@ TEST_F(Cli, WrongCommandLinesAreRefusedWithAHint) {
   EXPECT_THAT(refused({"run", "--force=no"}), HasSubstr("--force takes no value"));
   EXPECT_THAT(refused({"compare", "a"}), HasSubstr("SWEEP must be given twice"));
   EXPECT_THAT(refused({"merge"}), HasSubstr("FOLDER must be given"));
-  EXPECT_THAT(refused({"render", "--quality", "fats"}), HasSubstr("did you mean 'fast'?"));
+  EXPECT_THAT(refused({"params", "--format", "jsno"}), HasSubstr("did you mean 'json'?"));
   EXPECT_THAT(refused({"explain", "--json", "--measure"}), HasSubstr("leave one out"));
   EXPECT_THAT(refused({"--nope"}), HasSubstr("unknown option '--nope'"));
 }

@@ -13,6 +13,7 @@ check_packages=(libgtest-dev libgmock-dev clang-format-14 xvfb xdotool libx11-de
   ffmpeg libopenmpi-dev openmpi-bin libbenchmark-dev libarmadillo-dev
   python3-brian python3-h5py python3-h5netcdf python3-matplotlib python3-xarray)
 lint_packages=(clang-tidy-14)
+package_packages=(dpkg-dev file libopenmpi-dev lintian desktop-file-utils appstream)
 fuzz_packages=(clang-14 libclang-rt-14-dev libgtest-dev libgmock-dev)
 
 say() { printf '\n== %s\n' "$*"; }

@@ -3,6 +3,7 @@
 
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
+#include "app/io/nearest.h"
 
 namespace pupflow::cli {
 namespace {
@@ -16,6 +17,14 @@ CLI::Option* one_at_a_time(CLI::Option* option) {
 
 std::string not_empty(const std::string& text) {
   return text.empty() ? "must not be empty" : "";
+}
+
+std::function<std::string(const std::string&)> one_of(const std::vector<std::string_view>& words) {
+  return [words](const std::string& text) -> std::string {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return "";
+    const std::string meant = io::did_you_mean(text, words);
+    return io::quoted(text) + " is none of " + io::joined(words, ", ") + meant;
+  };
 }
 
 void add_common(CLI::App& verb, Common& common, const CommonHelp& help) {
@@ -54,7 +63,7 @@ void add_common(CLI::App& verb, Common& common, const CommonHelp& help) {
       ->check(between(1, 1024));
   verb.add_option(help.out_names, common.out, help.out)->option_text("FILE")->check(not_empty);
   verb.add_flag("--force", common.force, "Replace output files that exist");
-  verb.add_flag("--quiet", common.quiet, help.quiet);
+  verb.add_flag("-q,--quiet", common.quiet, help.quiet);
 }
 
 void add_flow_lag(CLI::App& verb, Common& common) {
@@ -64,11 +73,15 @@ void add_flow_lag(CLI::App& verb, Common& common) {
       ->option_text("N");
 }
 
+void add_json(CLI::App& verb, bool& json) {
+  verb.add_flag("--json", json, "Print JSON, with every digit, instead of text for people");
+}
+
 void add_format(CLI::App& verb, std::string& format) {
   format = "text";
   verb.add_option("--format", format, "How to write the list (default text)")
       ->option_text("text|markdown|json")
-      ->check(CLI::IsMember({"text", "markdown", "json"}));
+      ->check(one_of({"text", "markdown", "json"}));
 }
 
 int thread_count(const Common& common) {

@@ -9,8 +9,12 @@ namespace pupflow::cli {
 
 Verb add_compare(CLI::App& program) {
   CLI::App* app = program.add_subcommand("compare", "Compare the summaries of two sweeps");
-  const auto paths = std::make_shared<std::vector<std::string>>();
-  app->add_option("SWEEP", *paths,
+  struct Options {
+    std::vector<std::string> paths;
+    bool json = false;
+  };
+  const auto options = std::make_shared<Options>();
+  app->add_option("SWEEP", options->paths,
                   "Two folders of sweeps, or their summary.csv, with the same points")
       ->option_text(" ")
       ->required()
@@ -19,9 +23,17 @@ Verb add_compare(CLI::App& program) {
   app->footer(
       "Shows the differences of the means in units of their combined standard error\n"
       "sqrt(sd1^2 / runs1 + sd2^2 / runs2).");
-  return {app, [paths] {
-            io::print(study::comparison_text(study::compare_summaries((*paths)[0], (*paths)[1])));
-          }};
+  add_json(*app, options->json);
+  return {app,
+          [options] {
+            const study::Comparison comparison =
+                study::compare_summaries(options->paths[0], options->paths[1]);
+            io::print(options->json ? comparison_json(comparison) : comparison_text(comparison));
+          },
+          {{"compare sweep-a sweep-b",
+            "Two sweeps over the same points, e.g. before and after a change"},
+           {"compare old/summary.csv new/summary.csv --json",
+            "The same from two files, for a program"}}};
 }
 
 }  // namespace pupflow::cli

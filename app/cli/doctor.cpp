@@ -8,6 +8,7 @@
 #include "app/cli/module.h"
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
+#include "app/io/json.h"
 #include "app/io/machine.h"
 #include "app/io/movie.h"
 #include "app/io/table.h"
@@ -18,6 +19,7 @@ namespace {
 
 struct Options {
   Common common;
+  bool json = false;
 };
 
 bool is_module_there(const std::string& file) {
@@ -45,6 +47,30 @@ void add_context(std::vector<io::Row>& rows, const std::string& what,
     rows.push_back({"", "OpenGL " + report.version});
   }
   for (const std::string& attempt : report.tried) rows.push_back({"", "tried " + attempt});
+}
+
+std::string as_text(const std::vector<io::Row>& rows, const std::vector<std::string>& advice) {
+  std::string text = io::aligned(rows);
+  text += advice.empty() ? "Nothing is missing.\n" : "Missing:\n";
+  for (const std::string& line : advice) text += "  " + line + "\n";
+  return text;
+}
+
+/// A row without a name goes on with the one above it.
+std::string as_json(const std::vector<io::Row>& rows, const std::vector<std::string>& advice) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> values;
+  for (const io::Row& row : rows) {
+    if (!row[0].empty()) values.push_back({row[0], {}});
+    values.back().second.push_back(io::json_string(row[1]));
+  }
+  io::JsonObject object;
+  for (const auto& [name, lines] : values) {
+    object.emplace_back(name, lines.size() == 1 ? lines[0] : io::json_array(lines));
+  }
+  std::vector<std::string> missing;
+  for (const std::string& line : advice) missing.push_back(io::json_string(line));
+  object.emplace_back("missing", io::json_array(missing));
+  return io::json_file(object);
 }
 
 void work(const Options& options) {
@@ -82,10 +108,7 @@ void work(const Options& options) {
     rows.push_back({"graphics", "not available"});
     advice.emplace_back(failure.what());
   }
-  std::string text = io::aligned(rows);
-  text += advice.empty() ? "Nothing is missing.\n" : "Missing:\n";
-  for (const std::string& line : advice) text += "  " + line + "\n";
-  deliver(options.common, text);
+  deliver(options.common, options.json ? as_json(rows, advice) : as_text(rows, advice));
 }
 
 }  // namespace
@@ -101,8 +124,12 @@ Verb add_doctor(CLI::App& program) {
   help.out = "Write the report to a file instead of standard output";
   help.quiet = "Accepted everywhere; the report is all that is printed";
   add_common(*app, options->common, help);
+  add_json(*app, options->json);
   app->footer("Exit code 0 whenever it could report, also when something is missing.");
-  return {app, [options] { work(*options); }};
+  return {app,
+          [options] { work(*options); },
+          {{"doctor", "What works here, and what to install for the rest"},
+           {"doctor --json", "The same for a program"}}};
 }
 
 }  // namespace pupflow::cli

@@ -7,6 +7,7 @@
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
+#include "app/io/json.h"
 #include "app/io/progress.h"
 #include "app/io/table.h"
 #include "app/report/savings/savings.h"
@@ -27,6 +28,7 @@ struct Options {
   Common common;
   std::int64_t after = 300;
   bool measure = false;
+  bool json = false;
 };
 
 int threads(const Options& options) {
@@ -143,6 +145,27 @@ std::string explanation(const io::Setup& setup, const Costs& costs) {
   return scene_words(setup) + io::aligned(rows) + "\n" + costs_words(costs, setup.params);
 }
 
+std::string explanation_json(const io::Setup& setup, const Costs& costs) {
+  std::vector<std::string> stages;
+  for (const Decision& decision : explain_plan(setup.params, kContactRecords)) {
+    io::JsonObject row{{"stage", io::json_string(stage_name(decision.stage))}};
+    if (decision.part) row.emplace_back("part", io::json_string(part_name(*decision.part)));
+    row.emplace_back("needed", io::json_bool(decision.needed));
+    if (!decision.part && decision.needed) {
+      row.emplace_back("microseconds", io::json_number(costs.stages.median(decision.stage)));
+    }
+    row.emplace_back("reason", io::json_string(decision.reason));
+    stages.push_back(io::json_object(row));
+  }
+  return io::json_file({{"title", io::json_string(setup.title)},
+                        {"threads", std::to_string(costs.threads)},
+                        {"first_step", std::to_string(costs.first)},
+                        {"last_step", std::to_string(costs.last)},
+                        {"stages", io::json_array(stages)},
+                        {"step_microseconds", io::json_number(costs.step)},
+                        {"observing_microseconds", io::json_number(costs.observing)}});
+}
+
 /// With the left-out parts forced in.
 void compare(const Options& options, const io::Setup& setup) {
   report::MeasuredSteps steps;
@@ -165,7 +188,10 @@ void work(const Options& options) {
   const io::Setup setup = io::set_up(options.common.settings);
   const Common& common = options.common;
   if (!common.out.empty()) io::refuse_existing(common.out, common.force);
-  if (options.measure) {
+  if (options.json) {
+    if (options.measure) io::refuse("--json and --measure do not go together; leave one out");
+    deliver(options.common, explanation_json(setup, measure(options, setup.params)));
+  } else if (options.measure) {
     compare(options, setup);
   } else {
     deliver(options.common, explanation(setup, measure(options, setup.params)));
@@ -189,10 +215,14 @@ Verb add_explain(CLI::App& program) {
          "(default 300)")
       ->option_text("N")
       ->check(between(std::int64_t{0}, std::int64_t{1} << 53));
+  add_json(*app, options->json);
   app->add_flag("--measure", options->measure,
                 "Also force in each part that the scene leaves out, and show the time that leaving "
                 "it out saves and that no bit of the results differs");
-  return {app, [options] { work(*options); }};
+  return {app,
+          [options] { work(*options); },
+          {{"explain", "The stages of the paper's litter and their times"},
+           {"explain single --measure", "What leaving out saves for a single pup"}}};
 }
 
 }  // namespace pupflow::cli

@@ -55,14 +55,15 @@ Verb add_export(CLI::App& program) {
       ->option_text(format_names("|"))
       ->required()
       ->check(not_empty);
-  app->add_option("--out", request.out, "Write to this file; %05d stands for the step of a frame")
+  app->add_option("-o,--out", request.out,
+                  "Write to this file; %05d stands for the step of a frame")
       ->option_text("FILE")
       ->required()
       ->check(not_empty);
   app->add_option("--field", request.field,
                   "The field, as 'pupflow info' names it without its group (default: temperature "
                   "where recorded, else tb)")
-      ->option_text("NAME")
+      ->option_text("FIELD")
       ->check(not_empty);
   app->add_option("--pup", request.pup, "One pup instead of all")
       ->option_text("N")
@@ -73,13 +74,16 @@ Verb add_export(CLI::App& program) {
                   "gcal: what becomes 0 and 1; beyond is cut off (default: the field's range)")
       ->option_text("MIN,MAX");
   app->add_flag("--force", request.force, "Replace output files that exist");
-  app->add_flag("--quiet", options->quiet, "No progress");
+  app->add_flag("-q,--quiet", options->quiet, "No progress");
   std::string footer = "Formats:\n";
   for (const exporting::Format& format : exporting::formats()) {
     footer += "  " + std::string(format.name) + ": " + std::string(format.doc) + "\n";
   }
   app->footer(footer);
-  return {app, [options] { work(*options); }};
+  return {app,
+          [options] { work(*options); },
+          {{"export run.h5 --format npy --out tb.npy", "Body temperatures as a numpy array"},
+           {"export run.h5 --format vtk --out 'frames/%05d.vtp'", "A file a frame, for ParaView"}}};
 }
 
 }  // namespace pupflow::cli

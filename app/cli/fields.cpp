@@ -166,7 +166,10 @@ Verb add_fields(CLI::App& program) {
   help.quiet = "Accepted everywhere; the list is all that is printed";
   add_common(*app, options->common, help);
   add_format(*app, options->format);
-  return {app, [options] { work(*options); }};
+  return {app,
+          [options] { work(*options); },
+          {{"fields", "Every quantity that comes out"},
+           {"fields --format json", "The same for a program"}}};
 }
 
 }  // namespace pupflow::cli

@@ -11,7 +11,10 @@ Verb add_figure2(CLI::App& program) {
   const auto options = std::make_shared<SweepOptions>();
   add_sweep_options(*app, *options, "figure2");
   options->vary = {"ta=0:1:24"};
-  return {app, [options] { run_sweep_verb(*options, "figure2"); }};
+  return {app,
+          [options] { run_sweep_verb(*options, "figure2"); },
+          {{"figure2 --out figure2", "The figure with its CSV files, in a folder"},
+           {"figure2 --seeds 2 --steps 1500 --out quick", "A quick look at it"}}};
 }
 
 }  // namespace pupflow::cli

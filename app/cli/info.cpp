@@ -149,10 +149,13 @@ Verb add_info(CLI::App& program) {
       ->required()
       ->check(not_empty);
   app->add_flag("--json", *as_json, "As JSON, with all parameters");
-  return {app, [path, as_json] {
+  return {app,
+          [path, as_json] {
             const io::About found = about(*path);
             io::print(*as_json ? json(*path, found) : text(*path, found));
-          }};
+          },
+          {{"info run.h5", "What a recording holds"},
+           {"info figure1.png", "The recipe that a picture carries"}}};
 }
 
 }  // namespace pupflow::cli

@@ -60,7 +60,7 @@ Verb add_live(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CommonHelp help;
   help.threads = "Threads that share a step (default: all cores, where the litter is large enough)";
-  help.out_names = "--screenshots,--out";
+  help.out_names = "-o,--screenshots,--out";
   help.out = "Where the screenshot key writes; %d or %0Nd stands for the step";
   help.quiet = "Accepted everywhere; the window prints nothing but errors";
   add_common(*app, options->common, help);
@@ -82,7 +82,10 @@ Verb add_live(CLI::App& program) {
   app->add_flag("--test-events", options->test_events)->group("");
   add_look(*app, options->look, true);
   add_overlays(*app, options->look);
-  return {app, [options, app] { work(*app, *options); }};
+  return {app,
+          [options, app] { work(*app, *options); },
+          {{"live", "The paper's litter, playing"},
+           {"live cold --paused --set pups=24", "A shipped scene with more pups, at its start"}}};
 }
 
 }  // namespace pupflow::cli

@@ -115,7 +115,7 @@ void add_overlays(CLI::App& verb, LookOptions& options) {
   }
   verb.add_option("--overlay", options.overlay,
                   "What to draw over the litter, joined by commas. " + overlays)
-      ->option_text("A,B,...")
+      ->option_text("OVERLAY,...")
       ->check(not_empty);
   verb.add_option("--trail", options.trail,
                   "Length of trails in seconds of the model (default " +

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "app/cli/launcher.h"
+#include "app/cli/manual.h"
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
@@ -29,11 +30,13 @@ namespace {
 using io::ExitCode;
 using io::Failure;
 
-std::vector<Verb> add_verbs(CLI::App& program) {
-  return {add_live(program),    add_run(program),     add_render(program), add_figure1(program),
-          add_figure2(program), add_sweep(program),   add_merge(program),  add_compare(program),
-          add_verify(program),  add_info(program),    add_export(program), add_params(program),
-          add_fields(program),  add_explain(program), add_report(program), add_doctor(program)};
+void add_verbs(CLI::App& program, std::vector<Verb>& verbs) {
+  verbs = {
+      add_live(program),    add_run(program),     add_render(program),     add_figure1(program),
+      add_figure2(program), add_sweep(program),   add_merge(program),      add_compare(program),
+      add_verify(program),  add_info(program),    add_export(program),     add_scenes(program),
+      add_params(program),  add_fields(program),  add_explain(program),    add_report(program),
+      add_doctor(program),  add_version(program), add_help(program, verbs)};
 }
 
 void refuse_unknown_verb(const std::vector<Verb>& verbs, int argc, char** argv) {
@@ -51,6 +54,22 @@ void refuse_unknown_verb(const std::vector<Verb>& verbs, int argc, char** argv) 
   io::refuse("unknown verb " + io::quoted(given) + (meant.empty() ? "; verbs: " + listed : meant));
 }
 
+/// The parameter that an unknown option such as --ta names; empty where it names none.
+std::string setting_for(const std::string& option) {
+  std::string name = option.substr(std::min(option.find_first_not_of('-'), option.size()));
+  std::replace(name.begin(), name.end(), '-', '_');
+  return find_parameter(name) != nullptr ? name : std::string();
+}
+
+/// What stood after an unknown option, which CLI11 may have taken for an argument of the verb.
+std::string value_beside(const CLI::App& app, const std::vector<std::string>& extras) {
+  if (extras.size() > 1) return extras[1];
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_positional() && option->count() > 0) return option->results().front();
+  }
+  return "...";
+}
+
 /// What CLI11 did not know what to do with.
 void refuse_extras(const CLI::App& app, const std::string& command) {
   const std::vector<std::string> extras = app.remaining();
@@ -65,38 +84,65 @@ void refuse_extras(const CLI::App& app, const std::string& command) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   const std::vector<std::string_view> views(names.begin(), names.end());
-  const std::string meant = io::did_you_mean(first.substr(0, first.find('=')), views);
+  const std::size_t equals = first.find('=');
+  const std::string name = first.substr(0, equals);
+  if (const std::string setting = setting_for(name); !setting.empty()) {
+    const std::string value =
+        equals != std::string::npos ? first.substr(equals + 1) : value_beside(app, extras);
+    io::refuse("unknown option " + io::quoted(name) + "; parameters are set with --set " + setting +
+               "=" + value);
+  }
+  const std::string meant = io::did_you_mean(name, views);
   io::refuse("unknown option " + io::quoted(first) + (meant.empty() ? "; " + hint : meant));
 }
 
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
+/// CLI11's message in this program's words: the option, and what is wrong with it.
+Failure bad_command_line(const CLI::ParseError& error, const std::string& command) {
+  const std::string text = error.what();
+  std::string message = text.substr(0, text.find('\n'));
+  const auto say_instead = [&](const char* of_library, const char* own) {
+    const std::size_t at = message.find(of_library);
+    if (at != std::string::npos) message = message.substr(0, at) + own;
+  };
+  say_instead(": 1 required", " needs a value");
+  say_instead(": At Most 1 required", " is given twice");
+  say_instead(": At most 1 required", " is given twice");
+  say_instead(" is required", " must be given");
+  say_instead(": At least 2 required", " must be given twice");
+  if (const std::size_t at = message.find(" was given a disallowed"); at != std::string::npos) {
+    message = "--" + message.substr(0, at) + " takes no value";
+  }
+  return {ExitCode::bad_input, message + "; see '" + command + " --help'"};
 }
 
-/// CLI11's message in this program's words.
-Failure bad_command_line(const CLI::ParseError& error, const std::string& command) {
-  std::string message = first_line(error.what());
-  const std::size_t missing = message.find(": 1 required");
-  const std::size_t repeated = message.find(": At Most 1 required");
-  if (missing != std::string::npos) message = message.substr(0, missing) + " needs a value";
-  if (repeated != std::string::npos) message = message.substr(0, repeated) + " is given twice";
-  return {ExitCode::bad_input, message + "; see '" + command + " --help'"};
+/// The page of the verb on the command line, or that of the program.
+Page page_asked_for(const CLI::App& program, const std::vector<Verb>& verbs) {
+  const auto chosen =
+      std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.app->parsed(); });
+  return chosen == verbs.end() ? page_of(program, verbs) : page_of(*chosen);
 }
 
 void parse_and_work(int argc, char** argv) {
   CLI::App program("Self-organising huddles of soft, warm bodies (Wilson 2017).", "pupflow");
-  program.set_version_flag("--version", io::program_version(), "Print the version and exit");
+  program.set_version_flag("-V,--version", io::program_version(), "Print the version and exit");
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.footer("'pupflow VERB --help' tells what each verb takes.");
-  const std::vector<Verb> verbs = add_verbs(program);
+  std::vector<Verb> verbs;
+  add_verbs(program, verbs);
   refuse_unknown_verb(verbs, argc, argv);
   program.allow_extras();
-  for (const Verb& verb : verbs) verb.app->allow_extras();
+  program.require_subcommand(0, 1);  // what follows a verb is no verb: 'help run'
+  for (const Verb& verb : verbs) {
+    verb.app->allow_extras();
+    for (CLI::Option* option : verb.app->get_options()) {
+      if (option->get_expected_max() == 0) option->disable_flag_override();  // --force=no
+    }
+  }
 
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    io::print(program.help());
+    io::print(help_text(page_asked_for(program, verbs)));
     return;
   } catch (const CLI::CallForVersion& version) {
     io::print(std::string(version.what()) + "\n");

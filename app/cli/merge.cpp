@@ -31,14 +31,18 @@ Verb add_merge(CLI::App& program) {
       ->option_text(" ")
       ->required()
       ->check(not_empty);
-  app->add_option("--out", options->out, "The folder for the whole")
+  app->add_option("-o,--out", options->out, "The folder for the whole")
       ->option_text("FOLDER")
       ->required()
       ->check(not_empty);
   add_plot_script(*app, options->plot_script);
   app->add_flag("--force", options->force, "Replace another sweep there");
-  app->add_flag("--quiet", options->quiet, "No summary at the end");
-  return {app, [options] { merge(*options); }};
+  app->add_flag("-q,--quiet", options->quiet, "No summary at the end");
+  return {app,
+          [options] { merge(*options); },
+          {{"merge shard-1 shard-2 --out whole", "Two shards of one sweep, joined"},
+           {"merge shards/* --out whole --force",
+            "All shards of a folder, in place of an earlier result"}}};
 }
 
 }  // namespace pupflow::cli

@@ -151,7 +151,10 @@ Verb add_params(CLI::App& program) {
   help.quiet = "Accepted everywhere; the list is all that is printed";
   add_common(*app, options->common, help);
   add_format(*app, options->format);
-  return {app, [options] { work(*options); }};
+  return {app,
+          [options] { work(*options); },
+          {{"params", "Every parameter"},
+           {"params cold", "The values of a scene beside the defaults"}}};
 }
 
 }  // namespace pupflow::cli

@@ -1,6 +1,7 @@
 // pupflow render: headless PNG frames of one scene, a film of it, or a sheet of several.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -142,6 +143,20 @@ view::Camera camera_of(const Options& options) {
   return camera;
 }
 
+/// A film whose frames were kept, for want of ffmpeg, has said so already.
+void say_written(const pictures::RenderJob& job) {
+  if (job.output.quiet) return;
+  if (job.fps > 0) {
+    if (std::filesystem::exists(job.output.path)) io::print("wrote " + job.output.path + "\n");
+    return;
+  }
+  const std::string first = io::frame_path(job.output.path, job.at.front());
+  const std::string last = io::frame_path(job.output.path, job.at.back());
+  io::print(first == last ? "wrote " + first + "\n"
+                          : "wrote " + std::to_string(job.at.size()) + " pictures, " + first +
+                                " to " + last + "\n");
+}
+
 /// The file that is written, and for a film its frames a second.
 void take_output(const CLI::App& verb, const Options& options, pictures::RenderJob& job) {
   job.output = {options.common.out, options.common.force, options.common.quiet};
@@ -194,6 +209,7 @@ void draw_sheet(const CLI::App& verb, const Options& options, const io::Settings
   job.entries = {{"picture", "grid"}};
   io::refuse_existing(job.output.path, job.output.force);
   load_graphics().sheet(job);
+  if (!job.output.quiet) io::print("wrote " + job.output.path + "\n");
 }
 
 void work(const CLI::App& verb, Options options) {
@@ -215,6 +231,7 @@ void work(const CLI::App& verb, Options options) {
   job.look = look_of(options.look);
   take_output(verb, options, job);
   load_graphics().render(job);
+  say_written(job);
 }
 
 }  // namespace
@@ -285,7 +302,10 @@ Verb add_render(CLI::App& program) {
   app->add_flag("--no-bar", options->no_bar, "Leave out the legend of the colors");
   add_look(*app, options->look, true);
   add_picture_look(*app, options->look);
-  return {app, [options, app] { work(*app, *options); }};
+  return {app,
+          [options, app] { work(*app, *options); },
+          {{"render cold --at 500,1500 --out 'cold-%05d.png'", "Pictures after steps 500 and 1500"},
+           {"render critical --movie critical.mp4", "A film of the whole run"}}};
 }
 
 }  // namespace pupflow::cli

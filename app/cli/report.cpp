@@ -144,7 +144,7 @@ Verb add_report(CLI::App& program) {
   app->add_option("--observable", options->observables,
                   "With 'error SCENE': the mean to report, a column of a sweep; repeatable "
                   "(default huddling and mean_tb)")
-      ->option_text("NAME")
+      ->option_text("STATISTIC")
       ->allow_extra_args(false)
       ->take_all();
   app->add_option("--seeds", options->seeds,
@@ -156,7 +156,10 @@ Verb add_report(CLI::App& program) {
       "with half or twice the time: the same seeds with other time steps, points, precision, run\n"
       "lengths and windows. Exit code 3: a run of the scene itself failed. A report has the times\n"
       "of this machine, so close other programs while it is made.");
-  return {app, [options] { work(*options); }};
+  return {app,
+          [options] { work(*options); },
+          {{"report error --quick", "Error against run time of the test scenes"},
+           {"report error cold --seeds 10", "The error of a run of your own"}}};
 }
 
 }  // namespace pupflow::cli

@@ -34,6 +34,7 @@ struct Options {
   std::optional<std::int64_t> record_from;
   std::string record_fields = "pup";
   bool overlap = false;
+  bool json = false;
 };
 
 /// The files that were asked for. They appear when the run ends, however it ends.
@@ -101,7 +102,7 @@ class Run {
         files_(options, start),
         simulation_(std::move(start)),
         means_(simulation_.params().discard),
-        summary_(!options.common.quiet) {
+        summary_(options.json || !options.common.quiet) {
     simulation_.set_threads(thread_count(options.common));
     if (options.overlap && summary_) overlap_.emplace();
   }
@@ -221,8 +222,8 @@ void work(const Options& options) {
   Run run(options, litter_of(start));
   run.go();
   if (run.summary()) {
-    const std::string text =
-        run_summary(start.title, run.simulation(), {run.means(), run.overlap()}, run.seconds());
+    const std::string text = (options.json ? run_json : run_summary)(
+        start.title, run.simulation(), {run.means(), run.overlap()}, run.seconds());
     const bool taken =
         io::is_standard_output(options.common.out) || io::is_standard_output(options.pups);
     if (taken) {
@@ -246,7 +247,7 @@ Verb add_run(CLI::App& program) {
   help.threads =
       "Threads that share a step (default: all cores, where the litter is large enough); changes "
       "no bit of the result";
-  help.out_names = "--csv,--out";
+  help.out_names = "-o,--csv,--out";
   help.out = "Write the litter's observables, a row a step ('-' for standard output)";
   help.quiet = "No summary at the end and no progress";
   add_common(*app, options->common, help);
@@ -271,7 +272,7 @@ Verb add_run(CLI::App& program) {
   app->add_option("--record-fields", options->record_fields,
                   "What a frame holds: pup, afferent, point (groups), or names of 'pupflow fields' "
                   "(default pup)")
-      ->option_text("NAME,...")
+      ->option_text("FIELD,...")
       ->check(not_empty);
   app->add_option("--checkpoint", options->checkpoint,
                   "Write the whole state at the end (also after Ctrl-C) to an HDF5 file")
@@ -283,6 +284,7 @@ Verb add_run(CLI::App& program) {
       ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
   add_from(*app, options->from);
   add_flow_lag(*app, options->common);
+  add_json(*app, options->json);
   app->add_flag("--overlap", options->overlap,
                 "Tell in the summary how far bodies run into each other: means over every " +
                     std::to_string(kOverlapEvery) + "th of the steps of the other means");
@@ -292,7 +294,11 @@ Verb add_run(CLI::App& program) {
       "a last comment line says why they end. Until the run ends a file is called "
       "FILE.PROCESS.unfinished; after a kill 'pupflow info', 'export' and 'verify' read what a "
       "recording had.");
-  return {app, [options] { work(*options); }};
+  return {app,
+          [options] { work(*options); },
+          {{"run cold --csv cold.csv", "A shipped scene, a row of observables a step"},
+           {"run --set ta=0.2 --seed 7 --steps 3000 --record run.h5",
+            "A litter of your own, recorded"}}};
 }
 
 }  // namespace pupflow::cli

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/io/json.h"
 #include "app/io/provenance.h"
 #include "app/io/table.h"
 #include "app/io/text.h"
@@ -26,10 +27,9 @@ std::string means_text(const Simulation& simulation, const Seen& seen) {
   }
   const long long first = done - means.count() + 1;  // after --from later than discard + 1
   std::vector<io::Row> rows;
-  // In full precision, to compare with a sweep's row of the same parameters and seed.
   const auto add = [&](const std::string& label, double value, std::string_view unit = "") {
-    rows.push_back(
-        {"  " + label, io::number_text(value) + (unit.empty() ? "" : " ") + std::string(unit)});
+    rows.push_back({"  " + label,
+                    io::formatted("%.4g", value) + (unit.empty() ? "" : " ") + std::string(unit)});
   };
   const Observables m = means.means();
   for (const ObservableField& field : observables()) {
@@ -77,6 +77,48 @@ std::string run_summary(const std::string& title, const Simulation& simulation, 
     text += "warning " + warning.message() + "\n";
   text += "hash    " + io::hash_text(simulation.hash()) + "\n";
   return text;
+}
+
+std::string run_json(const std::string& title, const Simulation& simulation, const Seen& seen,
+                     double seconds) {
+  const Params& params = simulation.params();
+  const RunMeans& means = seen.means;
+  const Observables observed = means.means();
+  io::JsonObject values;
+  for (const ObservableField& field : observables()) {
+    values.emplace_back(field.name, io::json_number(observed.*field.value));
+  }
+  values.emplace_back(run_statistics()[kExposedSd].name, io::json_number(means.exposed_sd()));
+  if (seen.overlap) {
+    const Overlap& overlap = *seen.overlap;
+    values.emplace_back("nearest", io::json_number(overlap.nearest));
+    values.emplace_back("closest", io::json_number(overlap.least));
+    values.emplace_back("inside", io::json_number(overlap.inside));
+    values.emplace_back("inside_exposed", io::json_number(overlap.inside_exposed));
+  }
+  io::JsonObject all{{"title", io::json_string(title)}};
+  io::JsonObject settings;
+  for (const Parameter& parameter : parameters()) {
+    const std::string value = format_value(parameter, params);
+    settings.emplace_back(parameter.name, parameter.kind == Parameter::Kind::choice
+                                              ? io::json_string(value)
+                                              : io::json_number(parameter.get(params)));
+  }
+  std::vector<std::string> warnings;
+  for (const Warning& warning : simulation.warnings()) {
+    warnings.push_back(io::json_string(warning.message()));
+  }
+  const Status& status = simulation.status();
+  all.emplace_back("parameters", io::json_object(settings));
+  all.emplace_back("steps", std::to_string(simulation.steps_done()));
+  all.emplace_back("time", io::json_number(simulation.time()));
+  all.emplace_back("seconds", io::json_number(seconds));
+  all.emplace_back("steps_in_means", std::to_string(means.count()));
+  all.emplace_back("means", io::json_object(values));
+  all.emplace_back("status", io::json_string(status.ok() ? "fine" : status.message()));
+  all.emplace_back("warnings", io::json_array(warnings));
+  all.emplace_back("hash", io::json_string(io::hash_text(simulation.hash())));
+  return io::json_file(all);
 }
 
 }  // namespace pupflow::cli

@@ -22,6 +22,10 @@ struct Seen {
   std::optional<Overlap> overlap;  // means; empty where it was not measured
 };
 
+/// What `run_summary` says as one JSON object, with every digit.
+std::string run_json(const std::string& title, const Simulation& simulation, const Seen& seen,
+                     double seconds);
+
 /// The run's means (or why there are none), status, warnings, hash and speed. `seconds` is its wall
 /// time.
 std::string run_summary(const std::string& title, const Simulation& simulation, const Seen& seen,

@@ -29,7 +29,11 @@ Verb add_sweep(CLI::App& program) {
          "--vary; a column seed gives the seed of each row ('-' is standard input)")
       ->option_text("FILE")
       ->check(not_empty);
-  return {app, [options] { run_sweep_verb(*options, "sweep"); }};
+  return {app,
+          [options] { run_sweep_verb(*options, "sweep"); },
+          {{"sweep --vary ta=0:1:24 --seeds 10 --out heat", "One parameter over its range"},
+           {"sweep cold --vary alpha=0.2,0.7 --vary beta=0,0.5 --out shapes",
+            "A grid of two parameters"}}};
 }
 
 }  // namespace pupflow::cli

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include "app/io/settings.h"
@@ -12,10 +13,16 @@
 
 namespace pupflow::cli {
 
-/// A verb: its command line, and its work, which throws io::Failure.
+/// A command that help shows, without "pupflow ", and what it does.
+struct Example {
+  std::string command, does;
+};
+
+/// A verb: its command line, its work, which throws io::Failure, and examples for its help.
 struct Verb {
   CLI::App* app;
   std::function<void()> work;
+  std::vector<Example> examples;
 };
 
 Verb add_run(CLI::App& program);
@@ -34,6 +41,10 @@ Verb add_info(CLI::App& program);
 Verb add_export(CLI::App& program);
 Verb add_report(CLI::App& program);
 Verb add_doctor(CLI::App& program);
+Verb add_scenes(CLI::App& program);
+Verb add_version(CLI::App& program);
+/// `verbs` is read when the verb works: all verbs, also this one.
+Verb add_help(CLI::App& program, const std::vector<Verb>& verbs);
 
 /// The options that every verb takes.
 struct Common {
@@ -46,16 +57,19 @@ struct Common {
 
 /// What the common options mean for one verb, for its help.
 struct CommonHelp {
-  bool scene = true;                // takes a SCENE
-  std::string settings;             // a remark on --set and its shortcuts; may be empty
-  std::string threads, out, quiet;  // the whole help text of each
-  std::string at;                   // what else --at takes, for its help; may be empty
-  std::string out_names = "--out";  // with a verb's own word for it, e.g. "--csv,--out"
+  bool scene = true;                   // takes a SCENE
+  std::string settings;                // a remark on --set and its shortcuts; may be empty
+  std::string threads, out, quiet;     // the whole help text of each
+  std::string at;                      // what else --at takes, for its help; may be empty
+  std::string out_names = "-o,--out";  // with a verb's own word for it, e.g. "-o,--csv,--out"
 };
 
 /// A check for options that name something: refuses an empty text, as an unset shell variable
 /// gives.
 std::string not_empty(const std::string& text);
+
+/// A check for options that are one of some words.
+std::function<std::string(const std::string&)> one_of(const std::vector<std::string_view>& words);
 
 /// A check for options that are a number: refuses all but `least` ... `most`; whole numbers where
 /// these are. An empty text and nan are no numbers.
@@ -78,6 +92,9 @@ void add_common(CLI::App& verb, Common& common, const CommonHelp& help);
 
 /// Declares --flow-lag, for verbs that report pup flow.
 void add_flow_lag(CLI::App& verb, Common& common);
+
+/// Declares --json, for verbs that report to people.
+void add_json(CLI::App& verb, bool& json);
 
 /// Declares --format text|markdown|json, for verbs that print a table; text where it is not given.
 void add_format(CLI::App& verb, std::string& format);

@@ -56,11 +56,14 @@ Verb add_verify(CLI::App& program) {
   app->add_option("--threads", options->threads, "Threads (default: all cores)")
       ->option_text("N")
       ->check(between(1, 1024));
-  app->add_flag("--quiet", options->quiet, "Print nothing; the exit code tells");
+  app->add_flag("-q,--quiet", options->quiet, "Print nothing; the exit code tells");
   app->footer(
       "Exit code 0 when every file is the same, 1 when one differs: the line says the first "
       "step, pup and field.");
-  return {app, [options] { work(*options); }};
+  return {app,
+          [options] { work(*options); },
+          {{"verify figure1.png", "Whether the picture's run gives the same litter here"},
+           {"verify run.h5 cold.csv", "Several files of this program"}}};
 }
 
 }  // namespace pupflow::cli

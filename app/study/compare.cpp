@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/io/failure.h"
+#include "app/io/json.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
 #include "app/study/files.h"
@@ -197,6 +198,29 @@ std::string comparison_text(const Comparison& comparison) {
   for (const std::string& name : comparison.left_out)
     text += name + " was not compared: it is not in both files\n";
   return text;
+}
+
+std::string comparison_json(const Comparison& comparison) {
+  std::vector<std::string> points, left_out;
+  for (const Difference& difference : comparison.differences) {
+    io::JsonObject point;
+    for (std::size_t i = 0; i < comparison.varied.size(); ++i) {
+      point.emplace_back(comparison.varied[i], io::json_string(comparison.key[difference.row][i]));
+    }
+    point.emplace_back("observable", io::json_string(difference.observable));
+    point.emplace_back("first", io::json_number(difference.first));
+    point.emplace_back("second", io::json_number(difference.second));
+    point.emplace_back("standard_errors", io::json_number(difference.standard_errors));
+    points.push_back(io::json_object(point));
+  }
+  for (const std::string& name : comparison.left_out) left_out.push_back(io::json_string(name));
+  return io::json_file({{"points", io::json_array(points)},
+                        {"beyond_three", std::to_string(comparison.beyond_three)},
+                        {"unknown", std::to_string(comparison.unknown)},
+                        {"rms", io::json_number(comparison.rms)},
+                        {"largest_tb", io::json_number(comparison.largest_tb)},
+                        {"largest_tb_errors", io::json_number(comparison.largest_tb_errors)},
+                        {"left_out", io::json_array(left_out)}});
 }
 
 }  // namespace pupflow::study

@@ -34,6 +34,9 @@ struct Comparison {
 /// when it is no summary or the two do not have the same points.
 Comparison compare_summaries(const std::string& first, const std::string& second);
 
+/// All of it as one JSON object.
+std::string comparison_json(const Comparison& comparison);
+
 /// A table of all points, followed by the totals.
 std::string comparison_text(const Comparison& comparison);
 

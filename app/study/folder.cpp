@@ -43,12 +43,12 @@ void claim_folder(const std::string& folder, const Design& design, bool force) {
   const std::string text = manifest_text(design), path = manifest_path(folder);
   const bool claimed = fs::exists(path);
   const std::string there = claimed ? io::read_file(path, kLargestManifest) : "";
-  // The same sweep is resumed even when forced, so the command that replaced another sweep can be
-  // given again after an interruption.
-  if (there == text) return;
-  if (const auto before = extended_by(design, there)) {
-    prepare_extension(folder, *before);
-    return write_text(path, text);
+  if (!force) {
+    if (there == text) return;
+    if (const auto before = extended_by(design, there)) {
+      prepare_extension(folder, *before);
+      return write_text(path, text);
+    }
   }
   if (claimed && !force) {
     throw io::Failure(io::ExitCode::bad_input,

@@ -7,9 +7,9 @@
 
 namespace pupflow::study {
 
-/// Makes the folder belong to this design. A new folder, or one taken over with `force`, then holds
-/// only the manifest, and the table of a design that is one. A folder whose sweep this one extends
-/// (extend.h) keeps its finished runs. Call it with the folder held (lock.h). Throws io::Failure:
+/// Makes the folder belong to this design. A new folder, and any with `force`, then holds only the
+/// manifest, and the table of a design that is one. Otherwise a folder of the same sweep keeps all
+/// its runs, and one whose sweep this one extends (extend.h) those that are finished. Call it with the folder held (lock.h). Throws io::Failure:
 /// bad_input, naming the difference, when it holds another sweep and `force` is false; bad_file when
 /// it cannot be made or written to, or holds files of the same names without a manifest, or links in
 /// their place.

@@ -29,8 +29,11 @@ class CliGraphics : public testing::Test {
   }
 
   std::string program() const { return scratch_.path("pupflow"); }
+  /// Without the line that says what was written, which the fake module did not write.
   Outcome pupflow(const std::vector<std::string>& arguments) const {
-    return test::run_program(program(), arguments, scratch_.folder().string());
+    Outcome outcome = test::run_program(program(), arguments, scratch_.folder().string());
+    if (outcome.out.starts_with("wrote ")) outcome.out.erase(0, outcome.out.find('\n') + 1);
+    return outcome;
   }
   std::string refused(const std::vector<std::string>& arguments) const {
     const Outcome outcome = pupflow(arguments);
@@ -93,6 +96,20 @@ TEST_F(CliGraphics, RenderHandsOverItsJob) {
             "draw=skin quality=normal overlay= trail=1 caption=0 transparent=0 dpi=0\n");
   EXPECT_THAT(pupflow({"render", "--every", "10", "--steps", "35"}).out,
               HasSubstr("at 10 20 30\n"));
+}
+
+TEST_F(CliGraphics, PicturesSayWhatTheyWrote) {
+  give_module();
+  const auto said = [&](const std::vector<std::string>& arguments) {
+    const std::string out = test::run_program(program(), arguments, scratch_.folder().string()).out;
+    return out.substr(0, out.find('\n'));
+  };
+  EXPECT_EQ(said({"render", "--steps", "40"}), "wrote frames/00040.png");
+  EXPECT_EQ(said({"render", "--at", "1,3,9", "--out", "a%d.png"}),
+            "wrote 3 pictures, a1.png to a9.png");
+  EXPECT_EQ(said({"render", "--grid", "ta=0,1"}), "wrote grid.png");
+  EXPECT_EQ(said({"figure1"}), "wrote figure1.png");
+  EXPECT_THAT(said({"figure1", "--quiet"}), StartsWith("figure1 "));
 }
 
 TEST_F(CliGraphics, AnyFieldIsShownInColorsByItsOwnScale) {

@@ -130,7 +130,7 @@ TEST_F(CliRun, SaysWhyThereAreNoMeans) {
               HasSubstr("means over steps 6 to 6"));
 }
 
-TEST_F(CliRun, PrintsMeansThatReadBackToTheSameValue) {
+TEST_F(CliRun, PrintsMeansForPeople) {
   const Outcome outcome = pupflow({"run", "--steps", "40", "--set", "discard=38"});
   Params params;
   params.steps = 40;
@@ -144,7 +144,7 @@ TEST_F(CliRun, PrintsMeansThatReadBackToTheSameValue) {
   std::istringstream after(outcome.out.substr(outcome.out.find("body temperature T_b") + 20));
   double printed = 0;
   after >> printed;
-  EXPECT_EQ(printed, means.means().mean_tb);
+  EXPECT_NEAR(printed, means.means().mean_tb, 5e-5) << "four digits";
 }
 
 TEST_F(CliRun, FlowLagIsThatOfRowsMeansAndWhatTheFileCarries) {

@@ -14,8 +14,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::MatchesRegex;
 
-const std::vector<std::string> kVerbs{"live",    "run",    "render", "figure1",
-                                      "explain", "params", "fields", "doctor"};
+const std::vector<std::string> kVerbs{"live",   "run",    "render", "figure1", "explain",
+                                      "params", "fields", "scenes", "doctor"};
 
 class Cli : public testing::Test {
  protected:
@@ -62,6 +62,14 @@ TEST_F(Cli, WrongCommandLinesAreRefusedWithAHint) {
   EXPECT_THAT(refused({"run", "--every", "0"}), HasSubstr("--every"));
   EXPECT_THAT(refused({"run", "--threads", "0"}), HasSubstr("--threads"));
   EXPECT_THAT(refused({"params", "--format", "xml"}), HasSubstr("markdown"));
+  EXPECT_THAT(refused({"run", "--ta", "0.2"}), HasSubstr("--set ta=0.2"));
+  EXPECT_THAT(refused({"sweep", "--pup-radius=0.2"}), HasSubstr("--set pup_radius=0.2"));
+  EXPECT_THAT(refused({"run", "clod"}), HasSubstr("did you mean 'cold'?"));
+  EXPECT_THAT(refused({"run", "--force=no"}), HasSubstr("--force takes no value"));
+  EXPECT_THAT(refused({"compare", "a"}), HasSubstr("SWEEP must be given twice"));
+  EXPECT_THAT(refused({"merge"}), HasSubstr("FOLDER must be given"));
+  EXPECT_THAT(refused({"params", "--format", "jsno"}), HasSubstr("did you mean 'json'?"));
+  EXPECT_THAT(refused({"explain", "--json", "--measure"}), HasSubstr("leave one out"));
   EXPECT_THAT(refused({"--nope"}), HasSubstr("unknown option '--nope'"));
 }
 

@@ -40,12 +40,13 @@ TEST_F(AFolder, IsMadeAndHoldsItsDesign) {
   EXPECT_EQ(manifest_text(design_of_folder(folder_)), manifest_text(design_));
 }
 
-TEST_F(AFolder, KeepsItsResultsWhenTheSameSweepGoesOn) {
+TEST_F(AFolder, KeepsItsResultsWhenTheSameSweepGoesOnUnlessForced) {
   claim_folder(folder_, design_, false);
   scratch_.file("deep/sweep/journal.csv", "rows");
   claim_folder(folder_, design_, false);
-  claim_folder(folder_, design_, true);
   EXPECT_EQ(contents(journal_path(folder_)), "rows");
+  claim_folder(folder_, design_, true);
+  EXPECT_FALSE(std::filesystem::exists(journal_path(folder_)));
 }
 
 TEST_F(AFolder, RefusesAnotherSweepAndNamesTheDifference) {

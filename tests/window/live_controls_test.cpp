@@ -65,9 +65,9 @@ TEST_F(LiveControls, WhatIsNotTakenSaysWhyAndNothingMoves) {
     type_into("alpha-field", text);
     EXPECT_THAT(await("problem alpha "), HasSubstr(text));
   }
-  for (const auto& [name, box] : before) {
-    EXPECT_EQ(widgets().at(name).x, box.x) << name;
-    EXPECT_EQ(widgets().at(name).y, box.y) << name;
+  for (const auto& [name, widget] : before) {
+    EXPECT_EQ(widgets().at(name).box.x, widget.box.x) << name;
+    EXPECT_EQ(widgets().at(name).box.y, widget.box.y) << name;
   }
   type_into("alpha-field", "0.5");
   EXPECT_EQ(await("problem"), "") << "it is gone";

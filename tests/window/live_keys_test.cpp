@@ -195,6 +195,14 @@ std::map<Action, LiveKeys::Expectation> LiveKeys::expectations() {
     expect_line(stroke, "view free");
   };
   all[Action::screenshot] = [&](const std::string& stroke) { expect_line(stroke, "screenshot "); };
+  all[Action::record] = [&](const std::string& stroke) {
+    screen_.press(stroke);
+    await("hash ");  // of its second frame
+    expect_line(stroke, "filmed ");
+    screen_.press("r");
+    settle();
+    at_ = furthest_ = 0;
+  };
   all[Action::open] = [&](const std::string& stroke) {
     expect_line(stroke, "widget dialog-name ");
     expect_line("Escape", "gone dialog-name");
@@ -230,6 +238,19 @@ std::map<Action, LiveKeys::Expectation> LiveKeys::expectations() {
     screen_.press(stroke);
     settle();
     EXPECT_EQ(widget("play").height, before);
+  };
+  all[Action::switch_theme] = [&](const std::string& stroke) {
+    expect_line(stroke, "theme dark");
+    expect_line(stroke, "theme light");
+  };
+  all[Action::full_screen] = [&](const std::string& stroke) {
+    const int before = widget("play").y;
+    screen_.press(stroke);
+    settle();
+    EXPECT_GT(widget("play").y, before) << "the screen is higher than the window was";
+    screen_.press(stroke);
+    settle();
+    EXPECT_EQ(widget("play").y, before);
   };
   all[Action::toggle_panels] = [&](const std::string& stroke) {
     expect_line(stroke, "gone ta-field");

@@ -250,6 +250,8 @@ TEST(Timeline, ManyFuturesFitIntoMemory) {
     }
   }
   EXPECT_LE(longest, 2 * 6000 / static_cast<std::int64_t>(frames.size())) << "evenly";
+  EXPECT_NEAR(static_cast<double>(frames.bytes() / frames.size()),
+              static_cast<double>(Keyframes::needed_for(simulation)), 1500);
   frames.keep_within(10);
   EXPECT_EQ(frames.size(), 0u);
 }

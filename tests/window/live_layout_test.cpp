@@ -188,7 +188,9 @@ TEST_F(Live, ATooltipStaysAwayAfterADrag) {
   const auto until = std::chrono::steady_clock::now() + milliseconds(1500);
   while (std::chrono::steady_clock::now() < until) {
     const auto line = window_->read_line(milliseconds(200));
-    if (line) EXPECT_THAT(*line, ::testing::Not(::testing::StartsWith("tip")));
+    if (line) {
+      EXPECT_THAT(*line, ::testing::Not(::testing::StartsWith("tip")));
+    }
   }
   screen_.hand({"mousemove", "700", "300", "sleep", "0.3", "mousemove",
                 std::to_string(ta.middle_x()), std::to_string(ta.middle_y())});

@@ -3,6 +3,7 @@
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace pupflow::window {
 
@@ -69,6 +70,15 @@ constexpr auto kKeepsPopups = ImGuiSelectableFlags_NoAutoClosePopups;
 #else
 constexpr auto kKeepsPopups = ImGuiSelectableFlags_DontClosePopups;
 #endif
+
+/// Shows which widget keys move from and press.
+inline void show_key_cursor() {
+#if IMGUI_VERSION_NUM >= 19140
+  ImGui::SetNavCursorVisible(true);
+#else
+  GImGui->NavDisableHighlight = false;
+#endif
+}
 
 /// Whether a key went down, or repeats. Before 1.87 keys of Dear ImGui were places in a table.
 inline bool key_pressed(ImGuiKey key) {

@@ -97,6 +97,7 @@ void LiveWindow::desk_action(Action action) {
     case Action::switch_theme:
       settings_.theme = settings_.theme == Theme::light ? Theme::dark : Theme::light;
       gui_->set_theme(settings_.theme);
+      events_.note("theme", settings_.theme == Theme::light ? "light" : "dark");
       break;
     case Action::full_screen:
       switch_full_screen();

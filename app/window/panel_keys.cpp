@@ -9,6 +9,8 @@
 #include <array>
 #include <string_view>
 
+#include "app/window/imgui_compat.h"
+
 namespace pupflow::window {
 namespace {
 
@@ -47,7 +49,7 @@ void work_next_panel(std::span<const char* const> panels) {
     const bool menu = (window->Flags & ImGuiWindowFlags_MenuBar) != 0;
     GImGui->NavLayer = menu ? ImGuiNavLayer_Menu : ImGuiNavLayer_Main;
     ImGui::NavInitWindow(window, true);
-    GImGui->NavDisableHighlight = false;
+    show_key_cursor();
   }
 }
 

@@ -39,6 +39,7 @@ namespace pupflow::window {
 ///   plots-span SPAN, plots-smooth TIME  what was chosen for the plots
 ///   pointed TIME|nowhere  where on the plots' common time axis the mouse is
 ///   tip X Y W H, tip none  where the tooltip is
+///   theme light|dark, filmed PATH
 ///   visible yes|no        the window was minimised or shown again
 ///   frames N              the window is closed after drawing N frames
 class TestEvents {

@@ -11,7 +11,7 @@ namespace pupflow::window {
 namespace {
 
 constexpr view::Ink kBlack{{0, 0, 0}};
-constexpr Area kArena{{300, 40}, {600, 500}};
+const Area kArena{{300, 40}, {600, 500}};
 
 /// The rectangle around what a list draws.
 struct Extent {

@@ -46,7 +46,8 @@ TEST_F(LivePlots, AllPlotsShareATimeUnderTheMouse) {
 TEST_F(LivePlots, TheirSpanIsChosenFromAList) {
   open({"--paused"});
   click("plots-span");
-  click("plots-span-3");  // 5 min
+  click("plots-span-3");
+  await("plots-span 5 min");
   const Box box = widget("plot-groups");
   const std::string x = std::to_string(box.x + 9 * box.width / 10);
   screen_.hand({"mousemove", x, std::to_string(box.middle_y())});

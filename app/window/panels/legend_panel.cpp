@@ -81,7 +81,7 @@ void LegendPanel::draw(const Area& strip, const view::ColorScale& fitted, const 
                                        .row = ImGui::GetFrameHeightWithSpacing(),
                                        .maps = (ends ? 1 : 0) + (scale.categorical() ? 0 : 1),
                                        .has_ends = ends,
-                                       .section = 1 + OverlayMenu::lines(in.controls.look),
+                                       .section = 1 + OverlayMenu::lines(),
                                        .least_bar = least_bar(scale),
                                        .usual = usual_bar(scale)});
   if (plan.field) draw_field(in);

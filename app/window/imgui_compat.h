@@ -52,9 +52,9 @@ inline void set_font_scale(float scale) {
   ImGui::GetIO().FontGlobalScale = scale;
 }
 
-/// After fonts were added: the next frame makes their texture anew.
+/// After fonts were added: the next frame makes their texture anew, with all that the renderer has.
 inline void remake_font_texture() {
-  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_DestroyDeviceObjects();
 }
 
 #endif

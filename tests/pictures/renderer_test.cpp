@@ -376,7 +376,7 @@ TEST_F(RendererTest, TargetCopiesItsPixels) {
     glClearColor(red, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
   }
-  source.copy_to(destination.framebuffer(), 5, 2);
+  source.copy_to(destination.framebuffer(), 5, 2, {0, 0, 20, 10});
   const io::Image image = destination.read();
   int red = 0;
   for (int y = 0; y < 30; ++y) {

@@ -67,8 +67,10 @@ class LiveSoak : public Live {
           const auto any = std::next(widgets().begin(), up_to(static_cast<int>(widgets().size())));
           const Box& box = any->second.box;
           if (!opens_files(any->first)) {
-            screen_.hand({"mousemove", std::to_string(box.x + up_to(std::max(box.width, 1))),
-                          std::to_string(box.middle_y()), "click", up_to(8) == 0 ? "3" : "1"});
+            const int at = box.x + up_to(std::max(box.width, 1));
+            screen_.hand({"mousemove", std::to_string(std::max(at, 0)),
+                          std::to_string(std::max(box.middle_y(), 0)), "click",
+                          up_to(8) == 0 ? "3" : "1"});
           }
         }
         break;

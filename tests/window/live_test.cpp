@@ -164,13 +164,12 @@ TEST_F(Live, ValuesThatAreNotAllowedAreNotTaken) {
 }
 
 TEST_F(Live, ABadStateSaysWhereAndWaitsForARestart) {
-  open({"--paused", "--set", "heat=euler", "--set", "k1=201", "--set", "pups=2"});
-  screen_.press("shift+Right");
+  open({"--set", "heat=euler", "--set", "k1=201", "--set", "pups=2"});
   const std::string message = await("bad ");
   EXPECT_THAT(message, HasSubstr("diverged at step"));
   EXPECT_THAT(message, HasSubstr("pup"));
   click("bad_restart");
-  EXPECT_EQ(await("step "), "0");
+  await("state playing");  // it ran, so it runs again
 }
 
 TEST_F(Live, AWarningIsShownAndTheLitterGoesOn) {

@@ -68,9 +68,10 @@ Verb add_live(CLI::App& program) {
          "--size", options->size,
          "Window size in pixels (default: that of the last window, at first " + options->size + ")")
       ->option_text("WxH");
-  app->add_option("--ui-scale", options->ui_scale,
-                  "Size of text and widgets, 0.5 to 4 (default: the last one chosen, at first the "
-                  "display's)")
+  app->add_option(
+         "--ui-scale", options->ui_scale,
+         "Size of text and widgets, 0.5 to 4, less in a window too narrow for it (default: "
+         "the last one chosen, at first the display's)")
       ->option_text("X")
       ->check(between(window::kSmallestScale, window::kLargestScale));
   add_from(*app, options->from);

@@ -29,6 +29,9 @@ Gui::~Gui() {
   ImGui::DestroyContext();
 }
 
+/// What the panels need at scale 1; in a window too narrow for its scale they are smaller.
+constexpr float kLeastWidth = 360;
+
 /// Where window coordinates are pixels, text must grow with the display's scale; where the system
 /// scales windows itself, only the typeface's resolution must.
 void Gui::follow_scale() {
@@ -37,8 +40,9 @@ void Gui::follow_scale() {
   glfwGetFramebufferSize(window_.handle(), &pixels, &unused);
   const float density =
       width > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(width) : 1.0f;
-  const float scale = ui_scale_ > 0 ? static_cast<float>(ui_scale_)
-                                    : static_cast<float>(window_.content_scale()) / density;
+  const float wanted = ui_scale_ > 0 ? static_cast<float>(ui_scale_)
+                                     : static_cast<float>(window_.content_scale()) / density;
+  const float scale = std::min(wanted, std::max(1.0f, static_cast<float>(width) / kLeastWidth));
   const bool same_size = scale == scale_ && density == density_;
   if (same_size && theme_ == applied_) return;
   apply_theme(theme_, scale);

@@ -41,8 +41,13 @@ std::string Live::await(const std::string& start) {
   throw std::runtime_error("not what was waited for");
 }
 
-void Live::settle(std::chrono::milliseconds quiet) {
-  while (const auto line = window_->read_line(quiet)) remember(*line);
+std::vector<std::string> Live::settle(std::chrono::milliseconds quiet) {
+  std::vector<std::string> lines;
+  while (const auto line = window_->read_line(quiet)) {
+    remember(*line);
+    lines.push_back(*line);
+  }
+  return lines;
 }
 
 Box Live::widget(const std::string& name) {

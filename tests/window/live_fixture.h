@@ -44,8 +44,8 @@ class Live : public ::testing::Test {
   /// The rest of the next line that starts with `start`. Fails the test when none comes.
   std::string await(const std::string& start);
 
-  /// Reads what was printed until nothing comes for `quiet`.
-  void settle(std::chrono::milliseconds quiet = std::chrono::milliseconds(500));
+  /// Reads what is printed until nothing comes for `quiet`, and returns the lines.
+  std::vector<std::string> settle(std::chrono::milliseconds quiet = std::chrono::milliseconds(500));
 
   /// Where a widget is; waits for it when it cannot be seen yet.
   Box widget(const std::string& name);

@@ -164,8 +164,8 @@ TEST_F(Live, ValuesThatAreNotAllowedAreNotTaken) {
 }
 
 TEST_F(Live, ABadStateSaysWhereAndWaitsForARestart) {
-  open({"--set", "heat=euler", "--set", "k1=201", "--set", "pups=2"});
-  screen_.press("f");
+  open({"--paused", "--set", "heat=euler", "--set", "k1=201", "--set", "pups=2"});
+  screen_.press("shift+Right");
   const std::string message = await("bad ");
   EXPECT_THAT(message, HasSubstr("diverged at step"));
   EXPECT_THAT(message, HasSubstr("pup"));

@@ -140,7 +140,7 @@ void draw_panels_button(const PanelInput& in) {
   const float x = ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x;
   draw_rates(in, x);
   ImGui::SetCursorPosX(x);
-  if (ImGui::SmallButton(label)) in.controls.actions.push_back(Action::toggle_panels);
+  if (ImGui::Button(label)) in.controls.actions.push_back(Action::toggle_panels);
   in.events.widget("panels");
   in.tips.show("Hide or show the panels (H)");
 }

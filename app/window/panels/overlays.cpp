@@ -27,12 +27,13 @@ float text_room(const Area& arena) {
 }
 
 void draw_warning(const Warning& warning, const PanelInput& in) {
+  ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, kBad);
   ImGui::TextUnformatted(("Warning: " + warning.message()).c_str());
   ImGui::PopStyleColor();
   ImGui::SameLine();
   const std::string name = "show_" + std::to_string(static_cast<int>(warning.kind));
-  if (ImGui::SmallButton(("Show##" + name).c_str())) in.controls.show(warning.pup);
+  if (ImGui::Button(("Show##" + name).c_str())) in.controls.show(warning.pup);
   in.events.widget(name);
 }
 

@@ -6,24 +6,9 @@
 #include <cmath>
 
 #include "app/window/live_window.h"
-#include "app/window/panels/resets.h"
+#include "app/window/parameter_text.h"
 
 namespace pupflow::window {
-namespace {
-
-/// What `own` has where the other litter has something else.
-std::string differing_values(const Params& own, const Params& other) {
-  std::string text;
-  for (const Parameter& parameter : parameters()) {
-    if (parameter.get(own) == parameter.get(other)) continue;
-    if (!text.empty()) text += ", ";
-    text += label_of(parameter) + " = " + format_value(parameter, own);
-  }
-  return text;
-}
-
-}  // namespace
-
 /// Beside each other, or one above the other where that leaves more room.
 LiveWindow::ArenaAreas LiveWindow::split_arena(const Area& arena, bool two) {
   if (!two) return {arena, {}};

@@ -1,7 +1,5 @@
 #include "app/window/settings.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -11,8 +9,8 @@
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
-#include "app/io/toml_depth.h"
 #include "app/io/toml_text.h"
+#include "app/io/toml_values.h"
 #include "app/view/colormap.h"
 
 namespace pupflow::window {
@@ -64,17 +62,9 @@ class Writer {
   }
 };
 
-/// Where the file is wrong, and what would be right.
-[[noreturn]] void refuse_file(const std::string& name, const toml::source_region& where,
-                              const std::string& message) {
-  throw io::Failure(io::ExitCode::bad_file, name + ":" + std::to_string(where.begin.line) + ":" +
-                                                std::to_string(where.begin.column) + ": " +
-                                                message);
-}
-
 class Reader {
  public:
-  Reader(const toml::table& table, const std::string& name) : table_(table), name_(name) {}
+  Reader(std::string_view text, const std::string& name) : values_(io::toml_values(text, name)) {}
 
   void whole(const char* key, int& value, int low, int high) {
     take<std::int64_t>(key, std::to_string(low) + " to " + std::to_string(high),
@@ -85,13 +75,13 @@ class Reader {
                        });
   }
   void scale(const char* key, double& value) {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    const std::optional<double> number = node->value<double>();
-    if (!number || !(*number >= kSmallestScale) || *number > kLargestScale) {
-      wrong(key, *node, io::number_text(kSmallestScale) + " to " + io::number_text(kLargestScale));
-    }
-    value = *number;
+    const std::string right =
+        io::number_text(kSmallestScale) + " to " + io::number_text(kLargestScale);
+    const auto set = [&](auto number) {
+      value = static_cast<double>(number);
+      return value >= kSmallestScale && value <= kLargestScale;
+    };
+    take<double, std::int64_t>(key, right, set);
   }
   template <class Enum, std::size_t N>
   void name(const char* key, Enum& value, const std::array<std::string_view, N>& names) {
@@ -115,35 +105,30 @@ class Reader {
     });
   }
   void list(const char* key, std::vector<std::string>& values) {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    const toml::array* items = node->as_array();
-    if (items == nullptr || items->size() > kMostRecent) {
-      wrong(key, *node, "a list of at most " + std::to_string(kMostRecent) + " names");
-    }
-    for (const toml::node& item : *items) {
-      const auto word = item.value_exact<std::string>();
-      if (!word || word->empty() || word->size() > kLongestName)
-        wrong(key, item, "a list of names");
-      values.push_back(*word);
-    }
+    using Words = std::vector<std::string>;
+    const auto is_name = [](const std::string& word) {
+      return !word.empty() && word.size() <= kLongestName;
+    };
+    take<Words>(key, "a list of at most " + std::to_string(kMostRecent) + " names",
+                [&](const Words& words) {
+                  values = words;
+                  return words.size() <= kMostRecent && std::ranges::all_of(words, is_name);
+                });
   }
 
  private:
-  template <class Type, class Use>
+  /// Hands the value of `key`, if there is one, to `use`, which returns whether it is right.
+  template <class... Types, class Use>
   void take(const char* key, const std::string& right, const Use& use) {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    const std::optional<Type> value = node->value_exact<Type>();
-    if (!value || !use(*value)) wrong(key, *node, right);
+    const auto found = values_.find(key);
+    if (found == values_.end()) return;
+    const auto used = [&](const auto* value) { return value != nullptr && use(*value); };
+    if ((used(std::get_if<Types>(&found->second.value)) || ...)) return;
+    throw io::Failure(io::ExitCode::bad_file,
+                      found->second.where + ": " + key + " must be " + right);
   }
 
-  [[noreturn]] void wrong(const char* key, const toml::node& node, const std::string& right) {
-    refuse_file(name_, node.source(), std::string(key) + " must be " + right);
-  }
-
-  const toml::table& table_;
-  const std::string& name_;
+  const std::map<std::string, io::TomlValue, std::less<>> values_;
 };
 
 std::string variable(const char* name) {
@@ -178,16 +163,8 @@ std::string settings_text(const Settings& settings) {
 }
 
 Settings parse_settings(std::string_view text, const std::string& name) {
-  if (const std::string deep = io::too_deep(text); !deep.empty()) {
-    throw io::Failure(io::ExitCode::bad_file, name + ":" + deep);
-  }
   Settings settings;
-  try {
-    const toml::table table = toml::parse(text, name);
-    each(Reader(table, name), settings);
-  } catch (const toml::parse_error& error) {
-    refuse_file(name, error.source(), std::string(error.description()));
-  }
+  each(Reader(text, name), settings);
   return settings;
 }
 

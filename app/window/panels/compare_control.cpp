@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "app/window/panels/resets.h"
+#include "app/window/parameter_text.h"
 #include "app/window/typed_number.h"
 
 namespace pupflow::window {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/io/scene_file.h"
+#include "app/window/parameter_text.h"
 
 namespace pupflow::window {
 namespace {
@@ -55,23 +56,6 @@ void button(const char* label, const char* name, const char* whose, const Params
 }
 
 }  // namespace
-
-std::string label_of(const Parameter& parameter) {
-  return std::string(parameter.symbol.empty() ? parameter.name : parameter.symbol);
-}
-
-std::string difference_text(const Params& from, const Params& to, int most) {
-  std::string text;
-  int count = 0;
-  for (const Parameter& parameter : parameters()) {
-    if (parameter.get(from) == parameter.get(to) || ++count > most) continue;
-    if (!text.empty()) text += ", ";
-    text += label_of(parameter) + ' ' + format_value(parameter, from) + " \u2192 " +
-            format_value(parameter, to);
-  }
-  if (count > most) text += " and " + std::to_string(count - most) + " more";
-  return text;
-}
 
 void draw_presets(const Parameter& parameter, const PanelInput& in) {
   ImGui::TableNextRow();

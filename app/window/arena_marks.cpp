@@ -123,9 +123,7 @@ void ArenaMarks::paint(ImDrawList& list, const Scene& scene, bool fresh, const p
   const view::TextWidth text_width = [&](const view::TextLine& line, double size) {
     return width_of(font, line, size);
   };
-  std::vector<view::Flat> flats;
-  view::flatten(more, projection, mark_scale(height, em), flats);
-  paint_flats(list, font, flats, scene.area);
+  paint_marks(list, more, scene.camera, scene.area, scene.bodies);
   paint_flats(list, font,
               pictures::annotations(marks_, mark_scale(height, em), look,
                                     {.litter = scene.litter,

@@ -62,8 +62,8 @@ class ArenaView {
   io::Image picture(pictures::Picture& picture, const LiveState& snapshot);
 
   /// Writes the picture of `width` x `height` pixels that `pupflow render` would make from here with
-  /// that look and those trails, with the color bar and all that is needed to make it again. Overwrites nothing.
-  /// Throws Failure.
+  /// that look and those trails, with the color bar and all that is needed to make it again.
+  /// Overwrites nothing. Throws Failure.
   void write_picture(const std::string& path, const LiveState& snapshot, const pictures::Look& look,
                      const view::Trails& trails, int width, int height);
 

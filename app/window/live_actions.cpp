@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <utility>
 
 #include "app/io/failure.h"
 #include "app/window/history_csv.h"
 #include "app/window/live_window.h"
 #include "app/window/panel_keys.h"
-#include "app/window/panels/transport_panel.h"
 
 namespace pupflow::window {
 namespace {
@@ -20,6 +20,12 @@ constexpr double kZoomPerNotch = 1.1;
 
 LiveWindow& window_of(GLFWwindow* handle) {
   return *static_cast<LiveWindow*>(glfwGetWindowUserPointer(handle));
+}
+
+/// A random seed, short enough to read out and type.
+double new_seed() {
+  std::random_device device;
+  return device() % 1'000'000u;
 }
 
 }  // namespace
@@ -40,7 +46,15 @@ void LiveWindow::install_callbacks() {
   });
   glfwSetFramebufferSizeCallback(handle, event);
   glfwSetWindowContentScaleCallback(handle, event);
-  install_desk_callbacks();
+  glfwSetWindowCloseCallback(handle, [](GLFWwindow* w) {
+    glfwSetWindowShouldClose(w, GLFW_FALSE);
+    window_of(w).schedule_.event();
+    window_of(w).quit();
+  });
+  glfwSetDropCallback(handle, [](GLFWwindow* w, int count, const char** paths) {
+    window_of(w).schedule_.event();
+    if (count > 0) window_of(w).open_dropped(paths[0]);
+  });
 }
 
 void LiveWindow::install_key_callback() {
@@ -162,12 +176,9 @@ void LiveWindow::perform(Action action, double now) {
     case Action::restart:
       controls_.commands.push_back(Restart{});
       break;
-    case Action::new_seed: {
-      Params candidate = controls_.params;
-      candidate.seed = new_seed();
-      controls_.propose(candidate);
+    case Action::new_seed:
+      controls_.propose(*find_parameter("seed"), new_seed());
       break;
-    }
     case Action::faster:
       controls_.faster();
       break;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/window/live_window.h"
-#include "app/window/parameter_text.h"
+#include "app/window/session/parameter_text.h"
 
 namespace pupflow::window {
 /// Beside each other, or one above the other where that leaves more room.

@@ -20,29 +20,12 @@ namespace fs = std::filesystem;
 /// What Ctrl + and Ctrl - go through.
 constexpr double kScales[] = {0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.25, 1.5, 1.75, 2, 2.5, 3, 3.5, 4};
 
-LiveWindow& window_of(GLFWwindow* handle) {
-  return *static_cast<LiveWindow*>(glfwGetWindowUserPointer(handle));
-}
-
 std::string folder_of(const std::string& path) {
   std::error_code unknown;
   return path.empty() ? fs::current_path(unknown).string() : fs::path(path).parent_path().string();
 }
 
 }  // namespace
-
-void LiveWindow::install_desk_callbacks() {
-  GLFWwindow* const handle = window_.handle();
-  glfwSetWindowCloseCallback(handle, [](GLFWwindow* w) {
-    glfwSetWindowShouldClose(w, GLFW_FALSE);
-    window_of(w).schedule_.event();
-    window_of(w).quit();
-  });
-  glfwSetDropCallback(handle, [](GLFWwindow* w, int count, const char** paths) {
-    window_of(w).schedule_.event();
-    if (count > 0) window_of(w).open_dropped(paths[0]);
-  });
-}
 
 /// Whether there is something to lose: edits, also those on their way to the runner.
 bool LiveWindow::changed() const {
@@ -162,9 +145,7 @@ bool LiveWindow::save_as(const std::string& path) {
                              : "saved " + saved);
     return true;
   } catch (const io::Failure& failure) {
-    dialogs_.refuse(failure.what());
-    if (!dialogs_.shown()) show(failure.what());
-    events_.note("refused", failure.what());
+    refused(failure);
     return false;
   }
 }
@@ -176,10 +157,15 @@ void LiveWindow::open(const std::string& source) {
     dialogs_.cancel();
     ask_before("opening " + opened.title, [this, opened] { take(opened); });
   } catch (const io::Failure& failure) {
-    dialogs_.refuse(failure.what());
-    if (!dialogs_.shown()) show(failure.what());
-    events_.note("refused", failure.what());
+    refused(failure);
   }
+}
+
+/// Says it in the dialog that asked for the file, or over the arena.
+void LiveWindow::refused(const io::Failure& failure) {
+  dialogs_.refuse(failure.what());
+  if (!dialogs_.shown()) show(failure.what());
+  events_.note("refused", failure.what());
 }
 
 void LiveWindow::take(const Opened& opened) {

@@ -21,8 +21,7 @@ void LiveWindow::switch_film() {
     controls_.filmed = 0;
     show("filming; V ends it");
   } catch (const io::Failure& failure) {
-    events_.note("refused", failure.what());
-    show(failure.what());
+    refused(failure);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/context/glfw_window.h"
+#include "app/io/failure.h"
 #include "app/view/pick.h"
 #include "app/window/arena_marks.h"
 #include "app/window/arena_view.h"
@@ -93,7 +94,6 @@ class LiveWindow {
   void end_film();
 
   // live_desk.cpp: scenes, settings, closing.
-  void install_desk_callbacks();
   bool changed() const;
   void desk_frame(const PanelInput& input);
   void desk_action(Action action);
@@ -102,6 +102,7 @@ class LiveWindow {
   void ask_for_name();
   bool save_as(const std::string& path);
   void open(const std::string& source);
+  void refused(const io::Failure& failure);
   void take(const Opened& opened);
   void open_dropped(const std::string& path);
   void quit();

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/io/text.h"
-#include "app/window/parameter_text.h"
+#include "app/window/session/parameter_text.h"
 
 namespace pupflow::window {
 namespace {

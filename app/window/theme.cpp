@@ -1,8 +1,6 @@
 #include "app/window/theme.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "app/view/font.h"
@@ -55,7 +53,13 @@ constexpr Palette kLight{.ink = rgb(38, 42, 48),
                          .header_active = rgb(208, 222, 230),
                          .line = rgb(208, 213, 219),
                          .grab = rgb(141, 190, 209),
-                         .grab_active = rgb(104, 170, 195)};
+                         .grab_active = rgb(104, 170, 195),
+                         .second = rgb(182, 74, 8),
+                         .selected = rgb(150, 40, 130),
+                         .tp = rgb(96, 100, 106),
+                         .ta = rgb(72, 92, 160),
+                         .reference = rgb(120, 124, 130),
+                         .pull = rgb(190, 110, 20)};
 
 constexpr Palette kDark{.ink = rgb(225, 229, 234),
                         .faint = rgb(166, 174, 184),
@@ -79,11 +83,17 @@ constexpr Palette kDark{.ink = rgb(225, 229, 234),
                         .header_active = rgb(52, 67, 77),
                         .line = rgb(70, 77, 86),
                         .grab = rgb(58, 108, 130),
-                        .grab_active = rgb(66, 132, 158)};
+                        .grab_active = rgb(66, 132, 158),
+                        .second = rgb(240, 150, 84),
+                        .selected = rgb(224, 140, 212),
+                        .tp = rgb(176, 182, 190),
+                        .ta = rgb(146, 168, 232),
+                        .reference = rgb(150, 156, 164),
+                        .pull = rgb(224, 160, 84)};
 
 const Palette* in_use = &kLight;  // of the only window
 
-ImVec4 color(ImU32 packed, float alpha = 1) {
+ImVec4 opacity(ImU32 packed, float alpha) {
   ImVec4 value = ImGui::ColorConvertU32ToFloat4(packed);
   value.w = alpha;
   return value;
@@ -119,8 +129,8 @@ void set_colors(Theme theme, ImGuiStyle& style) {
                                                {ImGuiCol_HeaderActive, of.header_active},
                                                {ImGuiCol_Separator, of.line},
                                                {kCursorColor, of.accent}};
-  for (const auto& [place, packed] : places) style.Colors[place] = color(packed);
-  style.Colors[ImGuiCol_TextSelectedBg] = color(of.accent, 0.3f);
+  for (const auto& [place, packed] : places) style.Colors[place] = opacity(packed, 1);
+  style.Colors[ImGuiCol_TextSelectedBg] = opacity(of.accent, 0.3f);
 }
 
 }  // namespace
@@ -168,38 +178,8 @@ void apply_theme(Theme theme, float scale) {
   set_font_scale(fonts);
 }
 
-float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
-                     std::string_view text) {
-  const float ratio = font_scale();
-  const float drop = 0.32f * pixel_size(*fonts.text) * ratio;
-  float x = place.x;
-  const auto draw = [&](ImFont* font, float y, std::string_view part) {
-    const float size = pixel_size(*font) * ratio;
-    list.AddText(font, size, {x, y}, color, part.data(), part.data() + part.size());
-    x += font->CalcTextSizeA(size, FLT_MAX, 0, part.data(), part.data() + part.size()).x;
-  };
-  while (!text.empty()) {
-    const std::size_t mark = std::min(text.find('_'), text.size());
-    draw(fonts.text, place.y, text.substr(0, mark));
-    text.remove_prefix(mark);
-    if (text.empty()) break;
-    text.remove_prefix(1);
-    const auto end = std::find_if_not(text.begin(), text.end(),
-                                      [](unsigned char c) { return std::isalnum(c) != 0; });
-    const auto length = static_cast<std::size_t>(end - text.begin());
-    draw(fonts.small, place.y + drop, text.substr(0, length));
-    text.remove_prefix(length);
-  }
-  return x - place.x;
-}
-
-void rich_text(const Fonts& fonts, ImU32 color, std::string_view text) {
-  ImGui::AlignTextToFramePadding();
-  const ImVec2 place = ImGui::GetCursorScreenPos();
-  const float offset = ImGui::GetStyle().FramePadding.y;
-  const float width =
-      draw_rich_text(*ImGui::GetWindowDrawList(), fonts, {place.x, place.y + offset}, color, text);
-  ImGui::Dummy({width, ImGui::GetFrameHeight()});
+ImU32 faded(ImU32 color, float alpha) {
+  return ImGui::ColorConvertFloat4ToU32(opacity(color, alpha));
 }
 
 }  // namespace pupflow::window

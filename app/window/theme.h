@@ -3,8 +3,6 @@
 
 #include <imgui.h>
 
-#include <string_view>
-
 #include "app/window/theme_choice.h"
 
 namespace pupflow::window {
@@ -33,6 +31,9 @@ struct Palette {
   ImU32 header, header_hovered, header_active;
   // Neither.
   ImU32 line, grab, grab_active;
+  // What stands for something in plots and on the timeline: the litter that is compared, the
+  // selected pup, T_p, T_a, what other runs gave, pulls.
+  ImU32 second, selected, tp, ta, reference, pull;
 };
 
 const Palette& palette_of(Theme theme);
@@ -47,17 +48,12 @@ struct Role {
 };
 constexpr Role kInk{&Palette::ink}, kFaint{&Palette::faint}, kAccent{&Palette::accent},
     kLine{&Palette::line}, kBad{&Palette::bad}, kBadPanel{&Palette::bad_panel},
-    kPaperInk{&Palette::paper_ink}, kPaperFaint{&Palette::paper_faint};
+    kPaperInk{&Palette::paper_ink}, kPaperFaint{&Palette::paper_faint}, kPull{&Palette::pull};
+
+/// A color with an opacity from 0 to 1.
+ImU32 faded(ImU32 color, float alpha);
 
 /// Colors, margins and roundings, the latter two `scale` times their ordinary size.
 void apply_theme(Theme theme, float scale);
-
-/// Draws UTF-8 text at `place` on `list`; letters and digits after '_' are set as a subscript.
-/// Returns its width.
-float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
-                     std::string_view text);
-
-/// The same as an item in the layout.
-void rich_text(const Fonts& fonts, ImU32 color, std::string_view text);
 
 }  // namespace pupflow::window

@@ -51,12 +51,5 @@ TEST(StripScale, ARunFromACheckpointBeginsThere) {
   EXPECT_EQ(scale.end, 3200);
 }
 
-TEST(StripScale, TicksStandAtRoundDistances) {
-  EXPECT_DOUBLE_EQ(tick_distance(10, 10), 1);
-  EXPECT_DOUBLE_EQ(tick_distance(10, 6), 2);
-  EXPECT_DOUBLE_EQ(tick_distance(0.7, 10), 0.1);
-  EXPECT_DOUBLE_EQ(tick_distance(4000, 10), 500);
-}
-
 }  // namespace
 }  // namespace pupflow::window

@@ -65,7 +65,7 @@ TEST(Settings, SayWhereAFileIsWrongAndWhatWouldBeRight) {
   EXPECT_EQ(refusal("ui_scale = nan"), "s.toml:1:12: ui_scale must be 0.5 to 4");
   EXPECT_EQ(refusal("panels = 1"), "s.toml:1:10: panels must be true or false");
   EXPECT_THAT(refusal("colormap = 'red'"), HasSubstr("colormap must be viridis or"));
-  EXPECT_THAT(refusal("recent = [1]"), HasSubstr("recent must be a list of names"));
+  EXPECT_THAT(refusal("recent = [1]"), HasSubstr("recent must be a list of at most 10 names"));
   EXPECT_THAT(refusal("recent = ['1','2','3','4','5','6','7','8','9','10','11']"),
               HasSubstr("at most 10"));
   EXPECT_THAT(refusal("theme"), StartsWith("s.toml:1:"));

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/io/text.h"
+#include "app/window/panels/choice.h"
 #include "app/window/pup_values.h"
 #include "app/window/selection.h"
 #include "app/window/text_line.h"
@@ -29,13 +30,12 @@ std::string text_of(const Field& field, double value) {
 
 /// Small text on a spot of paper, with its middle at `middle`.
 void spot(ImDrawList& list, const Fonts& fonts, ImVec2 middle, std::string_view text) {
-  const float size = fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
   const std::string words(text);
-  const ImVec2 box = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, words.c_str());
+  const ImVec2 box = small_text_size(fonts, words);
   const ImVec2 corner{std::round(middle.x - box.x / 2), std::round(middle.y - box.y / 2)};
   list.AddRectFilled({corner.x - 2, corner.y}, {corner.x + box.x + 2, corner.y + box.y}, kCellPaper,
                      3);
-  list.AddText(fonts.small, size, corner, kCellInk, words.c_str());
+  small_text(list, fonts, corner, kCellInk, words);
 }
 
 /// The sign of the direction of travel.
@@ -89,7 +89,7 @@ AfferentMapPanel::Look AfferentMapPanel::look_at(const PanelInput& in, int pup) 
 }
 
 void AfferentMapPanel::draw(const PanelInput& in, int pup) {
-  draw_choice(in);
+  draw_fields(in);
   const LitterView litter = in.state.view();
   if (!is_known(*field_, litter)) {
     ImGui::TextDisabled("Known from the next step on.");
@@ -102,24 +102,14 @@ void AfferentMapPanel::draw(const PanelInput& in, int pup) {
   draw_legend(in, look);
 }
 
-void AfferentMapPanel::draw_choice(const PanelInput& in) {
-  ImGui::SetNextItemWidth(-1);
+void AfferentMapPanel::draw_fields(const PanelInput& in) {
   const std::string label = "skin: " + std::string(field_->label);
-  const bool open = ImGui::BeginCombo("##map", label.c_str(), ImGuiComboFlags_HeightLargest);
-  in.events.widget("map");
-  if (!open) {
-    in.tips.show("The skin of the pup, a cell for each afferent: what its colors mean.");
-    return;
-  }
-  for (const LitterField& field : afferent_fields()) {
-    const std::string name(field.name);
-    if (ImGui::Selectable((std::string(field.label) + "##" + name).c_str(), &field == field_)) {
-      field_ = &field;
+  const char* const doc = "The skin of the pup, a cell for each afferent: what its colors mean.";
+  draw_choice("map", label, doc, in, [&](const auto& choice) {
+    for (const LitterField& field : afferent_fields()) {
+      if (choice(field.name, field.label, field.doc, &field == field_)) field_ = &field;
     }
-    in.events.widget("map-" + name);
-    in.tips.show(field.doc);
-  }
-  ImGui::EndCombo();
+  });
 }
 
 /// Rows of equal color are one rectangle each.

@@ -28,7 +28,7 @@ class AfferentMapPanel {
   };
 
   Look look_at(const PanelInput& in, int pup) const;
-  void draw_choice(const PanelInput& in);
+  void draw_fields(const PanelInput& in);
   void draw_disc(const PanelInput& in, int pup, const Look& look);
   void draw_cross(const PanelInput& in, int pup, const Look& look);
   void draw_legend(const PanelInput& in, const Look& look) const;

@@ -10,13 +10,13 @@
 
 namespace pupflow::window {
 
-/// Draws a list called `name` (to tests too) that shows `present`, as wide as there is room. While it
-/// is open `choices` says each entry by `choice(item, text, doc, chosen)`, which returns whether it
+/// Draws a list called `name` (to tests too) that shows `present`, of that width. While it is
+/// open `choices` says each entry by `choice(item, text, doc, chosen)`, which returns whether it
 /// was picked. `doc` is the tip of the closed list.
 template <class Choices>
 void draw_choice(const char* name, std::string_view present, std::string_view doc,
-                 const PanelInput& in, const Choices& choices) {
-  ImGui::SetNextItemWidth(-FLT_MIN);
+                 const PanelInput& in, const Choices& choices, float width = -FLT_MIN) {
+  ImGui::SetNextItemWidth(width);
   const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(),
                                       std::string(present).c_str(), ImGuiComboFlags_HeightLargest);
   in.events.widget(name);

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "app/window/parameter_text.h"
+#include "app/window/session/parameter_text.h"
 #include "app/window/typed_number.h"
 
 namespace pupflow::window {
@@ -77,9 +77,7 @@ void CompareControl::draw_choice(const PanelInput& in) {
     }
   }
   in.events.widget("compare-start");
-  ImGui::PushStyleColor(ImGuiCol_Text, ImU32{kBad});
-  ImGui::TextUnformatted(problem_.empty() ? " " : problem_.c_str());
-  ImGui::PopStyleColor();
+  problem_line(problem_);
 }
 
 void CompareControl::draw_value(const Parameter& parameter, const PanelInput& in) {

@@ -24,14 +24,6 @@ void same_row() {
   ImGui::SameLine();
 }
 
-/// A line of fixed place, whether it says anything or not.
-void problem_line(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, kBad);
-  ImGui::TextUnformatted(text.empty() ? " " : text.c_str());
-  ImGui::PopStyleColor();
-  if (!text.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
-}
-
 bool is_folder(const std::string& path) {
   std::error_code unknown;
   return fs::is_directory(path, unknown);
@@ -142,7 +134,9 @@ std::optional<Dialogs::Answer> Dialogs::draw_file(const PanelInput& in) {
   picked |=
       ImGui::InputText("##name", name_.data(), name_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   in.events.widget("dialog-name");
-  problem_line(problem_.empty() ? list_.problem : problem_);
+  const std::string& problem = problem_.empty() ? list_.problem : problem_;
+  problem_line(problem);
+  if (!problem.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", problem.c_str());
 
   const std::string path = path_from(list_.folder, name_.data());
   const bool replaces = shown_ == Shown::save && name_[0] != '\0' && exists(path);

@@ -83,13 +83,12 @@ void draw_groups(const PanelInput& in) {
 
 }  // namespace
 
-bool draw_histogram_panel(const PanelInput& in) {
+void draw_histogram_panel(const PanelInput& in) {
   const bool open = ImGui::CollapsingHeader("histograms");
   in.events.widget("histograms");
-  if (!open) return false;
+  if (!open) return;
   draw_tb(in);
   draw_groups(in);
-  return true;
 }
 
 }  // namespace pupflow::window

@@ -5,7 +5,7 @@
 
 namespace pupflow::window {
 
-/// Draws both under a heading of their own into the current Dear ImGui window. True when it is open.
-bool draw_histogram_panel(const PanelInput& in);
+/// Draws both under a heading of their own into the current Dear ImGui window.
+void draw_histogram_panel(const PanelInput& in);
 
 }  // namespace pupflow::window

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "app/io/text.h"
+#include "app/window/imgui_compat.h"
+#include "app/window/session/parameter_text.h"
 
 namespace pupflow::window {
 namespace {
@@ -27,19 +29,19 @@ bool toggle(const char* label, bool on, float width) {
 void draw_label(const PanelInput& in, const LitterField& field) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
-  const float small = in.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
   const std::string label(field.label), symbol(field.symbol);
-  const std::string both = symbol.empty() ? label : symbol + "  " + label;
-  const auto fits = [&](const ImFont& font, float size, const std::string& text) {
-    return font.CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x <= room;
+  const std::string both = titled(symbol, label);
+  const auto fits = [&](const std::string& text) {
+    return ImGui::CalcTextSize(text.c_str()).x <= room;
   };
+  const ImVec2 small = small_text_size(in.fonts, label);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (fits(*in.fonts.text, em, both)) {
+  if (fits(both)) {
     draw_rich_text(list, in.fonts, corner, kInk, both);
-  } else if (fits(*in.fonts.text, em, label)) {
+  } else if (fits(label)) {
     list.AddText(corner, kInk, label.c_str());
-  } else if (fits(*in.fonts.small, small, label) || symbol.empty()) {
-    list.AddText(in.fonts.small, small, {corner.x, corner.y + em - small}, kInk, label.c_str());
+  } else if (small.x <= room || symbol.empty()) {
+    small_text(list, in.fonts, {corner.x, corner.y + em - small.y}, kInk, label);
   } else {
     draw_rich_text(list, in.fonts, corner, kInk, symbol);
   }
@@ -129,8 +131,7 @@ void InspectorPanel::draw_fields(const PanelInput& in) const {
     ImGui::TableNextColumn();
     draw_label(in, field);
     if (in.tips.begin()) {
-      const std::string symbol = field.symbol.empty() ? "" : std::string(field.symbol) + "  ";
-      rich_text(in.fonts, kAccent, symbol + std::string(field.label));
+      rich_text(in.fonts, kAccent, titled(field.symbol, field.label));
       ImGui::TextUnformatted(std::string(field.doc).c_str());
       if (!field.equation.empty()) ImGui::TextDisabled("%s", std::string(field.equation).c_str());
       in.tips.end();
@@ -138,12 +139,10 @@ void InspectorPanel::draw_fields(const PanelInput& in) const {
     ImGui::TableNextColumn();
     draw_curve(i);
     ImGui::TableNextColumn();
-    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(room, 0.0f));
-    ImGui::TextUnformatted(text.c_str());
+    right_text(text);
     ImGui::TableNextColumn();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.2f * em);
-    ImGui::PushFont(in.fonts.small);
+    push_font(in.fonts.small);
     ImGui::TextDisabled("%s", std::string(field.unit).c_str());
     ImGui::PopFont();
     if (!in.state.playing) in.events.field(field.name, text);

@@ -15,9 +15,7 @@ namespace pupflow::window {
 namespace {
 
 constexpr ImGuiWindowFlags kStrip =
-    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
-    ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus;
+    kPanelWindow | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
 constexpr std::array kEnds{view::Ends::automatic, view::Ends::field, view::Ends::around_tp};
 constexpr float kBeyond = 0.95f;   // em beside either end: grips, and what says values lie beyond
 constexpr float kUnknown = 2.5f;   // em below the bar for the values that are not known
@@ -53,9 +51,7 @@ void draw_problem(const Area& strip, const PanelInput& in) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PushStyleColor(ImGuiCol_Text, kBad);
-  ImGui::TextUnformatted(in.controls.problem.c_str());
-  ImGui::PopStyleColor();
+  colored_text(kBad, in.controls.problem);
   ImGui::End();
 }
 

@@ -87,9 +87,7 @@ void draw_shipped(const PanelInput& in) {
     in.events.widget("menu-scene-" + std::string(scene.name));
     ImGui::Indent(em);
     ImGui::PushTextWrapPos(std::min(30 * em, 0.8f * ImGui::GetIO().DisplaySize.x));
-    ImGui::PushStyleColor(ImGuiCol_Text, kFaint);
-    ImGui::TextUnformatted(scene.description.c_str());
-    ImGui::PopStyleColor();
+    colored_text(kFaint, scene.description);
     ImGui::PopTextWrapPos();
     ImGui::Unindent(em);
   }

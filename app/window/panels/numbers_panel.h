@@ -8,9 +8,8 @@ namespace pupflow::window {
 
 class NumbersPanel {
  public:
-  /// Draws both parts into the current Dear ImGui window. True when one of them is open: somebody
-  /// looks at the observables.
-  bool draw(const PanelInput& in);
+  /// Draws both parts, the phase plot and the histograms into the current Dear ImGui window.
+  void draw(const PanelInput& in);
 
  private:
   PlotsPanel plots_;

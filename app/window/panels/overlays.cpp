@@ -28,9 +28,7 @@ float text_room(const Area& arena) {
 
 void draw_warning(const Warning& warning, const PanelInput& in) {
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, kBad);
-  ImGui::TextUnformatted(("Warning: " + warning.message()).c_str());
-  ImGui::PopStyleColor();
+  colored_text(kBad, "Warning: " + warning.message());
   ImGui::SameLine();
   const std::string name = "show_" + std::to_string(static_cast<int>(warning.kind));
   if (ImGui::Button(("Show##" + name).c_str())) in.controls.show(warning.pup);
@@ -63,9 +61,7 @@ void draw_bad_status(const Area& arena, const PanelInput& in) {
   ImGui::PushStyleColor(ImGuiCol_Border, kBad);
   ImGui::Begin("bad status", nullptr, kFloating);
   push_font(in.fonts.title);
-  ImGui::PushStyleColor(ImGuiCol_Text, kBad);
-  ImGui::TextUnformatted("The numbers went wrong");
-  ImGui::PopStyleColor();
+  colored_text(kBad, "The numbers went wrong");
   ImGui::PopFont();
   ImGui::PushTextWrapPos(std::min(32 * em, text_room(arena)));
   ImGui::TextUnformatted(in.state.status.message().c_str());

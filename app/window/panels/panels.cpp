@@ -11,11 +11,6 @@
 namespace pupflow::window {
 namespace {
 
-constexpr ImGuiWindowFlags kPanel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                                    ImGuiWindowFlags_NoSavedSettings |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
-
 constexpr const char *kLeft = "left", *kRight = "right", *kTransport = "transport",
                      *kMenu = "##MainMenuBar";  // Dear ImGui's name
 
@@ -23,7 +18,7 @@ void begin_panel(const char* name, const Area& area) {
   ImGui::SetNextWindowPos(area.corner);
   ImGui::SetNextWindowSize(area.size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-  ImGui::Begin(name, nullptr, kPanel);
+  ImGui::Begin(name, nullptr, kPanelWindow);
   ImGui::PopStyleVar();
 }
 
@@ -40,11 +35,9 @@ void draw_problem(const PanelInput& in) {
     ImGui::TextDisabled("\u21bb restarts the litter");
     return;
   }
-  ImGui::PushStyleColor(ImGuiCol_Text, ImU32{kBad});
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
+  colored_text(kBad, text);
   ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
   in.tips.show(text);
 }
 
@@ -55,8 +48,7 @@ std::span<const char* const> Panels::names() {
   return kNames;
 }
 
-bool Panels::draw(const Layout& layout, const PanelInput& in) {
-  bool observed = false;
+void Panels::draw(const Layout& layout, const PanelInput& in) {
   draw_menu(in, overlays_);
   in.controls.inspected = {};
   if (layout.left.size.x > 0) {
@@ -67,7 +59,7 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
     parameters_.draw_groups(in);
     if (!layout.two_panels) {
       inspector_.draw(in);
-      observed = numbers_.draw(in);
+      numbers_.draw(in);
     }
     ImGui::EndChild();
     draw_problem(in);
@@ -76,7 +68,7 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
   if (layout.two_panels) {
     begin_panel(kRight, layout.right);
     inspector_.draw(in);
-    observed = numbers_.draw(in);
+    numbers_.draw(in);
     ImGui::End();
   }
   begin_panel(kTransport, layout.transport);
@@ -86,7 +78,6 @@ bool Panels::draw(const Layout& layout, const PanelInput& in) {
   draw_notices(layout.arena, in);
   draw_bad_status(layout.arena, in);
   draw_help(in);
-  return observed;
 }
 
 }  // namespace pupflow::window

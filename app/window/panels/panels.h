@@ -15,8 +15,8 @@ namespace pupflow::window {
 
 class Panels {
  public:
-  /// Submits all panels and overlays of one frame. Returns whether the observables were shown.
-  bool draw(const Layout& layout, const PanelInput& in);
+  /// Submits all panels and overlays of one frame.
+  void draw(const Layout& layout, const PanelInput& in);
 
   /// The Dear ImGui windows that keys can work, in their order.
   static std::span<const char* const> names();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/window/session/parameter_text.h"
 #include "app/window/typed_number.h"
 
 namespace pupflow::window {
@@ -35,9 +36,7 @@ void ParameterMenu::open(const Parameter& parameter, const PanelInput& in) {
 
 bool ParameterMenu::draw(const Parameter& parameter, const PanelInput& in) {
   if (!ImGui::BeginPopup(kId)) return false;
-  rich_text(in.fonts, kAccent,
-            std::string(parameter.symbol) + (parameter.symbol.empty() ? "" : "  ") +
-                std::string(parameter.title));
+  rich_text(in.fonts, kAccent, titled(parameter.symbol, parameter.title));
   ImGui::Separator();
   set_to("Default", "default", parameter.default_value(), parameter, in);
   set_to("The scene's value", "scene", parameter.get(in.controls.scene), parameter, in);
@@ -74,10 +73,7 @@ void ParameterMenu::draw_ramp(const Parameter& parameter, const PanelInput& in) 
   in.events.widget(name + "back");
   if (ImGui::Button("Start the ramp")) start_ramp(parameter, in);
   in.events.widget(name + "start");
-  ImGui::PushStyleColor(ImGuiCol_Text, ImU32{kBad});
-  ImGui::TextUnformatted(problem_.empty() ? " "
-                                          : problem_.c_str());  // nothing moves when it speaks
-  ImGui::PopStyleColor();
+  problem_line(problem_);
 }
 
 void ParameterMenu::start_ramp(const Parameter& parameter, const PanelInput& in) {

@@ -10,6 +10,7 @@
 
 #include "app/window/imgui_compat.h"
 #include "app/window/panels/resets.h"
+#include "app/window/session/parameter_text.h"
 #include "app/window/typed_number.h"
 
 namespace pupflow::window {
@@ -42,9 +43,7 @@ double rounded(const Parameter& parameter, double value) {
 
 void tooltip(const Parameter& parameter, const PanelInput& in) {
   if (!in.tips.begin()) return;
-  std::string title(parameter.title);
-  if (!parameter.symbol.empty()) title = std::string(parameter.symbol) + "  " + title;
-  rich_text(in.fonts, kAccent, title);
+  rich_text(in.fonts, kAccent, titled(parameter.symbol, parameter.title));
   ImGui::TextUnformatted(parameter.doc.data(), parameter.doc.data() + parameter.doc.size());
   const auto line = [](const char* what, const std::string& text) {
     if (!text.empty()) ImGui::TextDisabled("%s: %s", what, text.c_str());

@@ -29,7 +29,6 @@ class ParameterPanel {
   };
 
   void row(const Parameter& parameter, const PanelInput& in);
-  void number(const Parameter& parameter, const PanelInput& in);
   void slide(const Parameter& parameter, float width, const PanelInput& in);
   void type(const Parameter& parameter, float width, const PanelInput& in);
 

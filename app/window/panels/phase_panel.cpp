@@ -33,7 +33,6 @@ std::vector<TrailPoint> trail_of(const LitterState& state) {
 /// Later stretches are darker. Points closer than a pixel are left out.
 void draw_trail(const Plot& plot, const std::vector<TrailPoint>& trail, ImU32 color) {
   constexpr float kOldest = 0.2f, kThickness = 1.4f;
-  ImVec4 ink = ImGui::ColorConvertU32ToFloat4(color);
   std::vector<Column> piece;
   for (std::size_t i = 0; i < trail.size(); ++i) {
     const double y = trail[i].huddling;
@@ -46,8 +45,7 @@ void draw_trail(const Plot& plot, const std::vector<TrailPoint>& trail, ImU32 co
     piece.push_back(here);
     if (piece.size() < 2) continue;
     const float age = static_cast<float>(i) / static_cast<float>(trail.size());
-    ink.w = kOldest + (1 - kOldest) * age;
-    plot.curve(piece, ImGui::ColorConvertFloat4ToU32(ink), kThickness);
+    plot.curve(piece, faded(color, kOldest + (1 - kOldest) * age), kThickness);
     piece.erase(piece.begin());
   }
   if (!trail.empty()) plot.dot(trail.back().ta, trail.back().huddling, color);
@@ -92,10 +90,10 @@ std::string pointed_text(const Plot& plot, const Area& paper,
 
 }  // namespace
 
-bool draw_phase_panel(const PanelInput& in) {
+void draw_phase_panel(const PanelInput& in) {
   const bool open = ImGui::CollapsingHeader("huddling against T\u2090");
   in.events.widget("phase");
-  if (!open) return false;
+  if (!open) return;
   const float em = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = std::max(ImGui::GetContentRegionAvail().x - plot_margin_left(), 10.0f);
@@ -104,7 +102,7 @@ bool draw_phase_panel(const PanelInput& in) {
   const float below = plot_margin_below(in.fonts);
   ImGui::Dummy({plot_margin_left() + width, (1.3f + kPaperLines) * em + below});
   in.events.widget("phase-plot");
-  if (!ImGui::IsItemVisible()) return true;
+  if (!ImGui::IsItemVisible()) return;
 
   draw_rich_text(*ImGui::GetWindowDrawList(), in.fonts, corner, kInk, "huddling 1 − A");
   const std::vector<TrailPoint> trail = trail_of(in.state);
@@ -128,7 +126,6 @@ bool draw_phase_panel(const PanelInput& in) {
   }
   if (note.empty()) note = "T_a; grey: Figure 2, its mean and deviation";
   small_rich_text(in.fonts, kFaint, note);
-  return true;
 }
 
 }  // namespace pupflow::window

@@ -5,7 +5,7 @@
 
 namespace pupflow::window {
 
-/// Draws it under a heading of its own into the current Dear ImGui window. True when it is open.
-bool draw_phase_panel(const PanelInput& in);
+/// Draws it under a heading of its own into the current Dear ImGui window.
+void draw_phase_panel(const PanelInput& in);
 
 }  // namespace pupflow::window

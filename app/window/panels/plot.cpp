@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/window/imgui_compat.h"
-
 namespace pupflow::window {
 namespace {
 
@@ -12,44 +10,26 @@ float line_width() {
   return 0.1f * ImGui::GetFontSize();
 }
 
-ImU32 with_alpha(ImU32 color, float alpha) {
-  ImVec4 value = ImGui::ColorConvertU32ToFloat4(color);
-  value.w = alpha;
-  return ImGui::ColorConvertFloat4ToU32(value);
-}
-
 /// The papers of plots are those of lists and tooltips.
 ImU32 paper_color() {
   return palette().popup;
 }
 
-bool is_dark(ImU32 color) {
-  const ImVec4 value = ImGui::ColorConvertU32ToFloat4(color);
-  return value.x + value.y + value.z < 1.5f;
-}
-
 }  // namespace
 
 PlotColors plot_colors(const Palette& of) {
-  const bool dark = is_dark(of.popup);
-  const ImU32 ink = of.ink, accent = of.accent;
-  const auto pick = [&](ImU32 light_theme, ImU32 dark_theme) {
-    return dark ? dark_theme : light_theme;
-  };
-  PlotColors colors;
-  colors.curve = accent;
-  colors.band = with_alpha(accent, 0.22f);
-  colors.raw = with_alpha(accent, 0.4f);
-  colors.second = pick(IM_COL32(182, 74, 8, 255), IM_COL32(240, 150, 84, 255));
-  colors.selected = pick(IM_COL32(150, 40, 130, 255), IM_COL32(224, 140, 212, 255));
-  colors.tp = pick(IM_COL32(96, 100, 106, 255), IM_COL32(176, 182, 190, 255));
-  colors.ta = pick(IM_COL32(72, 92, 160, 255), IM_COL32(146, 168, 232, 255));
-  colors.reference = pick(IM_COL32(120, 124, 130, 255), IM_COL32(150, 156, 164, 255));
-  colors.grid = with_alpha(ink, 0.08f);
-  colors.zero = with_alpha(ink, 0.35f);
-  colors.now = with_alpha(ink, 0.75f);
-  colors.mark = with_alpha(ink, 0.35f);
-  return colors;
+  return {.curve = of.accent,
+          .band = faded(of.accent, 0.22f),
+          .raw = faded(of.accent, 0.4f),
+          .second = of.second,
+          .selected = of.selected,
+          .tp = of.tp,
+          .ta = of.ta,
+          .reference = of.reference,
+          .grid = faded(of.ink, 0.08f),
+          .zero = faded(of.ink, 0.35f),
+          .now = faded(of.ink, 0.75f),
+          .mark = faded(of.ink, 0.35f)};
 }
 
 float plot_margin_left() {
@@ -58,28 +38,6 @@ float plot_margin_left() {
 
 float plot_margin_below(const Fonts& fonts) {
   return small_text_size(fonts, "0").y + 0.3f * ImGui::GetFontSize();
-}
-
-ImVec2 small_text_size(const Fonts& fonts, const std::string& text) {
-  push_font(fonts.small);
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  ImGui::PopFont();
-  return size;
-}
-
-void small_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
-                const std::string& text) {
-  push_font(fonts.small);
-  list.AddText(place, color, text.c_str());
-  ImGui::PopFont();
-}
-
-void small_rich_text(const Fonts& fonts, ImU32 color, const std::string& text) {
-  Fonts small = fonts;
-  small.text = fonts.small;
-  const ImVec2 size = small_text_size(fonts, text);
-  draw_rich_text(*ImGui::GetWindowDrawList(), small, ImGui::GetCursorScreenPos(), color, text);
-  ImGui::Dummy({size.x, 1.3f * size.y});
 }
 
 Plot::Plot(const Fonts& fonts, const Area& paper, const PlotAxes& axes)

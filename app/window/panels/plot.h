@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "app/window/panel_text.h"
 #include "app/window/panels/area.h"
 #include "app/window/panels/plot_geometry.h"
 #include "app/window/theme.h"
@@ -26,14 +27,6 @@ PlotColors plot_colors(const Palette& of = palette());
 /// How wide the labels left of a plot's paper are, and how high those below it.
 float plot_margin_left();
 float plot_margin_below(const Fonts& fonts);
-
-/// Small text, as labels of plots have it.
-ImVec2 small_text_size(const Fonts& fonts, const std::string& text);
-void small_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
-                const std::string& text);
-
-/// Small rich text as an item in the layout.
-void small_rich_text(const Fonts& fonts, ImU32 color, const std::string& text);
 
 /// What the axes of a plot look like.
 struct PlotAxes {

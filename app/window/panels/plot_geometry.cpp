@@ -39,10 +39,6 @@ double Axis::value(float place) const {
   return values.low + share * (values.high - values.low);
 }
 
-float Axis::length() const {
-  return std::abs(to - from);
-}
-
 std::vector<Tick> ticks(Range range, int count, double least) {
   range = sound(range);
   const double spacing = view::tick_spacing(range.low, range.high, count, least);

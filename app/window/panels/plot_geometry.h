@@ -21,7 +21,6 @@ struct Axis {
 
   float place(double value) const;
   double value(float place) const;
-  float length() const;
 };
 
 struct Tick {

@@ -9,10 +9,17 @@
 #include "app/io/text.h"
 #include "app/window/history_csv.h"
 #include "app/window/panels/celsius.h"
+#include "app/window/panels/choice.h"
 #include "app/window/panels/plot_curves.h"
 
 namespace pupflow::window {
 namespace {
+
+/// A stretch of model time.
+struct PlotSpan {
+  double seconds;
+  const char* text;
+};
 
 constexpr double kWholeRun = std::numeric_limits<double>::infinity();
 constexpr std::array<PlotSpan, 5> kSpans{
@@ -40,20 +47,15 @@ bool is_temperature(const ObservableField& row) {
   return row.observable == Observable::mean_tb;
 }
 
-/// A list of choices; what was picked goes into `chosen`.
-void draw_choice(const char* id, float width, std::span<const PlotSpan> choices,
-                 std::size_t& chosen, TestEvents& events) {
-  ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo(("##" + std::string(id)).c_str(), choices[chosen].text,
-                                      ImGuiComboFlags_HeightLargest);
-  events.widget(id);
-  events.note(id, choices[chosen].text);
-  if (!open) return;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (ImGui::Selectable(choices[i].text, i == chosen)) chosen = i;
-    events.widget(std::string(id) + '-' + std::to_string(i));
-  }
-  ImGui::EndCombo();
+void draw_spans(const char* name, const char* doc, float width, std::span<const PlotSpan> spans,
+                std::size_t& chosen, const PanelInput& in) {
+  in.events.note(name, spans[chosen].text);
+  const auto choices = [&](const auto& choice) {
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+      if (choice(std::to_string(i), spans[i].text, "", i == chosen)) chosen = i;
+    }
+  };
+  draw_choice(name, spans[chosen].text, doc, in, choices, width);
 }
 
 /// A number and its color, at the right of a plot's title.
@@ -97,10 +99,6 @@ struct PlotsPanel::Frame {
 
   Axis axis() const { return {time, left, left + width}; }
 };
-
-std::span<const PlotSpan> plot_spans() {
-  return kSpans;
-}
 
 Range shown_time(double begin, double end, double now, double seconds) {
   constexpr double kLeast = 1;
@@ -164,9 +162,10 @@ void PlotsPanel::draw_choices(const PanelInput& in, const Frame& frame) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x, padding = ImGui::GetStyle().FramePadding.x;
   const float button = ImGui::CalcTextSize("CSV").x + 2 * padding;
   const float room = ImGui::GetContentRegionAvail().x - button - 2 * spacing;
-  draw_choice("plots-span", 0.42f * room, kSpans, span_, in.events);
+  draw_spans("plots-span", "How much of the run the plots show", 0.42f * room, kSpans, span_, in);
   ImGui::SameLine();
-  draw_choice("plots-smooth", 0.58f * room, kSmoothings, smoothing_, in.events);
+  draw_spans("plots-smooth", "Over how long flows are averaged", 0.58f * room, kSmoothings,
+             smoothing_, in);
   ImGui::SameLine();
   if (ImGui::Button("CSV")) ImGui::OpenPopup("plots-csv");
   in.events.widget("plots-csv");

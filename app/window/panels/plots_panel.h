@@ -10,13 +10,6 @@
 
 namespace pupflow::window {
 
-/// Stretches of time that plots may show; infinite: the whole run.
-struct PlotSpan {
-  double seconds;  // model time
-  const char* text;
-};
-std::span<const PlotSpan> plot_spans();
-
 /// The stretch of a run from `begin` to `end` that is shown around `now`: so many seconds, the last
 /// ones where the run ends now; those after `begin` while it is shorter.
 Range shown_time(double begin, double end, double now, double seconds);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/io/scene_file.h"
-#include "app/window/parameter_text.h"
+#include "app/window/session/parameter_text.h"
 
 namespace pupflow::window {
 namespace {

@@ -36,8 +36,4 @@ StripScale strip_scale(const Timeline& timeline, float left, float width) {
   return {timeline.first, timeline.first + std::llround(range), left, std::max(width, 1.0f)};
 }
 
-double tick_distance(double range, double most) {
-  return round_up(range / most);
-}
-
 }  // namespace pupflow::window

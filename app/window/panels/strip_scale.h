@@ -22,7 +22,4 @@ struct StripScale {
 /// it stands still while the run grows.
 StripScale strip_scale(const Timeline& timeline, float left, float width);
 
-/// A distance of ticks, 1, 2 or 5 times a power of ten, with at most `most` of them in `range` > 0.
-double tick_distance(double range, double most);
-
 }  // namespace pupflow::window

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/io/text.h"
-#include "app/window/imgui_compat.h"
+#include "app/window/panels/plot_geometry.h"
 #include "app/window/panels/strip_scale.h"
 
 namespace pupflow::window {
@@ -15,18 +15,12 @@ namespace {
 constexpr float kTrack = 1.25f;  // em; below it are the other future and the text
 constexpr float kReach = 0.35f;  // em; a mark is pointed at from so far
 
-ImU32 faded(ImU32 color, float alpha) {
-  ImVec4 value = ImGui::ColorConvertU32ToFloat4(color);
-  value.w = alpha;
-  return ImGui::ColorConvertFloat4ToU32(value);
-}
-
 ImU32 color_of(Timeline::Kind kind) {
   switch (kind) {
     case Timeline::Kind::bad:
       return kBad;
     case Timeline::Kind::pull:
-      return IM_COL32(190, 110, 20, 255);
+      return kPull;
     case Timeline::Kind::edit:
     case Timeline::Kind::ramp:
       break;
@@ -129,25 +123,20 @@ std::string pointed_text(const Strip& strip, float x) {
   return "Not stepped yet";
 }
 
-void small_text(const Strip& strip, float x, float y, ImU32 color, const std::string& text) {
-  ImFont* font = strip.in.fonts.small;
-  strip.list.AddText(font, pixel_size(*font) * font_scale(), {x, y}, color, text.c_str());
-}
-
 void draw_ticks(const Strip& strip, float y) {
-  const double from = strip.time(static_cast<double>(strip.scale.first));
-  const double to = strip.time(static_cast<double>(strip.scale.end));
-  const double most = std::max(strip.scale.width / (5 * strip.em), 1.0f);
-  const double distance = tick_distance(to - from, most);
-  for (double k = std::ceil(from / distance); k * distance <= to + 1e-9 * (to - from); ++k) {
-    const double time = k * distance;
-    const std::string text = io::formatted("%.6g s", time);
-    const double share = (time - from) / (to - from);
-    const float x = strip.scale.left + strip.scale.width * static_cast<float>(share);
-    const float width = 0.78f * ImGui::CalcTextSize(text.c_str()).x;
-    const float last = strip.scale.left + strip.scale.width - width;
+  constexpr int kMost = 10;
+  const Fonts& fonts = strip.in.fonts;
+  const float left = strip.scale.left, right = left + strip.scale.width;
+  const Axis axis{{strip.time(static_cast<double>(strip.scale.first)),
+                   strip.time(static_cast<double>(strip.scale.end))},
+                  left,
+                  right};
+  const auto width = [&](const std::string& text) { return small_text_size(fonts, text + " s").x; };
+  for (const Tick& tick : ticks_that_fit(axis, kMost, 2 * strip.em, width)) {
+    const float x = axis.place(tick.value), extent = width(tick.text);
     strip.list.AddLine({x, strip.high.y}, {x, strip.high.y + 0.2f * strip.em}, kFaint);
-    small_text(strip, std::clamp(x - width / 2, strip.scale.left, last), y, kFaint, text);
+    const float begin = std::clamp(x - extent / 2, left, std::max(right - extent, left));
+    small_text(strip.list, fonts, {begin, y}, kFaint, tick.text + " s");
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "app/io/text.h"
 #include "app/window/panels/record_button.h"
@@ -57,11 +56,6 @@ void draw_as_fast(const PanelInput& in) {
 }
 
 }  // namespace
-
-std::int64_t new_seed() {
-  std::random_device device;
-  return static_cast<std::int64_t>(device() % 1'000'000u);  // short enough to read out and retype
-}
 
 void TransportPanel::draw(const PanelInput& in) {
   const float em = ImGui::GetFontSize(), gap = kTransportGap * em;

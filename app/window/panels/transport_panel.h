@@ -1,17 +1,12 @@
 // Play, pause, step, restart; timeline; speed; seed.
 #pragma once
 
-#include <cstdint>
-
 #include "app/window/panels/compare_control.h"
 #include "app/window/panels/panel.h"
 #include "app/window/panels/text_entry.h"
 #include "app/window/panels/transport_plan.h"
 
 namespace pupflow::window {
-
-/// A random seed.
-std::int64_t new_seed();
 
 /// The run's buttons below the arena.
 class TransportPanel {

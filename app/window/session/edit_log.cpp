@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "pupflow/parameters.h"
-
 namespace pupflow::window {
 namespace {
-
-constexpr std::size_t kMostNamed = 3;
 
 bool same_parameters(const Deed& a, const Deed& b) {
   return std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
@@ -16,20 +12,6 @@ bool same_parameters(const Deed& a, const Deed& b) {
 }
 
 }  // namespace
-
-std::string text_of(const std::vector<Edited>& values) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(values.size(), kMostNamed); ++i) {
-    const Parameter& parameter = parameters()[values[i].parameter];
-    if (i > 0) text += ", ";
-    text += std::string(parameter.symbol) + ' ' + format_value(parameter, values[i].from) +
-            " \u2192 " + format_value(parameter, values[i].to);
-  }
-  if (values.size() > kMostNamed) {
-    text += " and " + std::to_string(values.size() - kMostNamed) + " more";
-  }
-  return text;
-}
 
 bool EditLog::add(Deed deed, bool continues) {
   undone_.clear();

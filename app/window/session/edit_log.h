@@ -6,21 +6,12 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "app/window/session/parameter_text.h"
 #include "pupflow/snapshot.h"
 
 namespace pupflow::window {
-
-/// A parameter that was changed: its place in parameters(), its values before and after.
-struct Edited {
-  std::size_t parameter;
-  double from, to;
-};
-
-/// "T_a 0.4 → 0.2, g 10 → 3"; of many only the first ones.
-std::string text_of(const std::vector<Edited>& values);
 
 /// One thing that the user did.
 struct Deed {

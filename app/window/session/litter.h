@@ -36,13 +36,13 @@ class Litter {
   const Simulation& simulation() const { return simulation_; }
   const Params& params() const { return simulation_.params(); }
   const Run& run() const { return run_; }
+  Run& run() { return run_; }
   const std::optional<Run>& other() const { return other_; }
   std::int64_t parted_at() const { return parted_at_; }  // meaningless without `other`
   std::int64_t at() const { return simulation_.steps_done(); }
   bool ok() const { return simulation_.status().ok(); }
-  const std::optional<Observables>& observables() const {
-    return observables_;
-  }  // of the last step
+  /// Of the last step.
+  const std::optional<Observables>& observables() const { return observables_; }
 
   /// One step: towards where it was sent to, or on.
   void step();
@@ -67,7 +67,8 @@ class Litter {
   /// Adds changes of one parameter, in place of what was still to come of the user's own.
   std::string ramp(std::size_t parameter, std::span<const Change> changes);
 
-  /// Adds what is done to a pup: one that is there, and numbers that are finite.
+  /// Adds what is done to a pup: one that is there, and numbers that are finite. Nothing can be
+  /// wrong with that.
   void act(const Change& change);
 
   /// The parameters with which `restart` begins it again: those in force, but for those that its own
@@ -87,19 +88,17 @@ class Litter {
                      std::optional<Litter>& second) const;
   void forget_parting();
 
-  Run& run() { return run_; }
-
   /// At most so much memory for keyframes.
   void keep_within(std::size_t bytes);
 
  private:
-  // Simulation and observer.
+  // litter.cpp: simulation and observer.
   PartSet parts() const;
   void prepare();
   void begin_to_observe();
   void look(bool passing);
 
-  // The run.
+  // litter.cpp: the run.
   bool in_past() const { return at() < run_.last; }
   void keep();
   void mark_bad();
@@ -107,11 +106,11 @@ class Litter {
   std::int64_t step_before(std::int64_t step) const;
   std::size_t share() const { return other_ ? bytes_ / 2 : bytes_; }  // of a run
   void thin_out();
-
-  // Changes.
-  bool is_own(const Change& change) const;
   void refresh();
   void show(const Params& now);
+
+  // litter_changes.cpp
+  bool is_own(const Change& change) const;
   template <class Replaced>
   std::vector<Change> to_come(const Replaced& replaced) const;
   std::string problem_with(std::span<const Change> changes) const;

@@ -157,7 +157,7 @@ class Session {
   void see_parting();
   void fill_litter(const Litter& litter, LitterState& state) const;
 
-  // changes.cpp: what changes the run.
+  // session_changes.cpp: what changes the run.
   bool back_from_bad(const Command& command);
   bool differs(std::size_t parameter) const;
   std::vector<Setting> settings_of(std::span<const Edited> values, const Litter& litter) const;
@@ -173,11 +173,13 @@ class Session {
   void redo();
   void mark_edit(const std::vector<Edited>& values, bool joins);
   void mark_undone(const std::vector<Edited>& values);
+  void compare(const Compare& asked);
+
+  // session_pulls.cpp
   void pull(const Pull& asked);
   void let_go();
   void hold();
   void mark_pull();
-  void compare(const Compare& asked);
 
   Litter first_;
   std::optional<Litter> second_;

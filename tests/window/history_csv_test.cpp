@@ -19,7 +19,6 @@ namespace {
 /// A session that was watched for so many steps.
 LiveState watched(const Params& params, int steps) {
   Session session(params, true);
-  session.apply(Observe{true});
   for (int i = 0; i < steps; ++i) session.step();
   LiveState state;
   session.fill(state, false);

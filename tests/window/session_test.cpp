@@ -186,7 +186,7 @@ TEST(Session, SuspendedItWantsNothingAndThenGoesOn) {
   EXPECT_TRUE(session.running());
 }
 
-TEST(Session, MeasuresUnlessNobodyEverLooks) {
+TEST(Session, MeasuresEveryStep) {
   Simulation simulation(small_litter());
   Observer observer(simulation);
   simulation.step();
@@ -198,18 +198,6 @@ TEST(Session, MeasuresUnlessNobodyEverLooks) {
   EXPECT_EQ(look_at(session).observables->mean_tb, observer.last().mean_tb);
   EXPECT_EQ(look_at(session).observables->flow, observer.last().flow);
   EXPECT_EQ(look_at(session).history.last(), 1);
-
-  session.apply(Observe{false});
-  session.step();
-  EXPECT_FALSE(look_at(session).observables);
-  EXPECT_EQ(look_at(session).history.last(), 1) << "what was seen stays";
-
-  session.apply(Observe{true});
-  session.step();  // only shows the observer where things stand
-  EXPECT_FALSE(look_at(session).observables);
-  session.step();
-  ASSERT_TRUE(look_at(session).observables);
-  EXPECT_EQ(look_at(session).history.last(), 4);
 }
 
 TEST(Session, RecordsWhatTheFieldInColorsNeeds) {
@@ -247,7 +235,7 @@ TEST(Session, AtRestTheLastStepIsTakenAgainForWhatIsNowShown) {
 
 TEST(Session, LookingChangesNothing) {
   Session seen(small_litter(), true), unseen(small_litter(), true);
-  unseen.apply(Observe{false});
+  seen.apply(Watch{.parts = {Part::strain, Part::sides}});
   for (int i = 0; i < 50; ++i) {
     seen.step();
     unseen.step();

@@ -479,7 +479,7 @@ Command any_command(std::mt19937& random, const Params& params, std::int64_t las
     case 14:
       return below(2) == 0 ? Compare{} : Compare{changed(any_name(), 0.1 + share()), below(2) == 0};
     default:
-      return below(2) == 0 ? Command{Observe{below(4) > 0}}
+      return below(2) == 0 ? Command{Watch{}}
                            : Command{Watch{.parts = {Part::strain, Part::sides}}};
   }
 }

@@ -5,29 +5,24 @@
 
 namespace pupflow::window {
 Litter::Litter(const Params& recipe, std::shared_ptr<const Snapshot> from, int threads,
-               const Recording& recording)
+               PartSet watched)
     : begun_with_(recipe.schedule),
       run_{.recipe = recipe, .from = std::move(from)},
       simulation_(run_.kept_at(run_.first())),
       threads_(threads),
-      recording_(recording) {
+      watched_(watched) {
   run_.recipe = simulation_.recipe();
   run_.last = run_.first();
   prepare();
 }
 
-void Litter::record(const Recording& recording) {
-  const bool other_observer = recording.observed != recording_.observed;
-  recording_ = recording;
+void Litter::record(PartSet watched) {
+  watched_ = watched;
   simulation_.set_observed(parts());
-  if (!other_observer) return;
-  observables_.reset();
-  observer_.reset();
-  begin_to_observe();
 }
 
 PartSet Litter::parts() const {
-  return recording_.parts | (recording_.observed ? ObservableSet::all().parts() : PartSet{});
+  return watched_ | ObservableSet::all().parts();
 }
 
 /// What a simulation needs that is new here.
@@ -43,7 +38,7 @@ void Litter::prepare() {
 void Litter::begin_to_observe() {
   const PartSet needed = ObservableSet::all().parts();
   const bool recorded = simulation_.view().recorded.includes(needed);
-  if (!recording_.observed || (at() > 0 && !recorded)) return;
+  if (at() > 0 && !recorded) return;
   observer_.emplace(simulation_);
   watched_from_ = at();
 }
@@ -65,7 +60,6 @@ void Litter::step() {
 
 /// Nobody sees the observables of a step that is only `passing`.
 void Litter::look(bool passing) {
-  if (!recording_.observed) return;
   if (!observer_) {
     observer_.emplace(simulation_);
     watched_from_ = at();
@@ -104,7 +98,7 @@ void Litter::seek(std::int64_t step) {
   if (ok() && step == at()) return;
   const std::int64_t before = step_before(step);
   const auto frame = run_.keyframes.at_or_before(before);
-  const bool watched = !recording_.observed || (observer_ && watched_from_ <= before);
+  const bool watched = observer_ && watched_from_ <= before;
   const bool nearer = at() < step && at() >= (frame ? frame->step : run_.first());
   if (ok() && watched && nearer) {
     target_ = step;
@@ -127,8 +121,7 @@ void Litter::seek_anew(std::int64_t step) {
 /// The state from which steps must be taken so that the last one records what is wanted, and the
 /// observables can be compared with those before.
 std::int64_t Litter::step_before(std::int64_t step) const {
-  const std::int64_t lag = recording_.observed ? params().flow_lag : 1;
-  return std::max(step - lag, run_.first());
+  return std::max<std::int64_t>(step - params().flow_lag, run_.first());
 }
 
 /// Shows what the user has set at this step, which the next one takes.

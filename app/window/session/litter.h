@@ -23,15 +23,9 @@ using Setting = Change::Setting;
 /// made at an earlier step begins another future; the one that was there is kept as the other one.
 class Litter {
  public:
-  /// What the steps record, and for whom.
-  struct Recording {
-    PartSet parts;         // beside what the observables need
-    bool observed = true;  // the observables of every step are worked out
-  };
-
-  /// A new litter, or the one of `from`, whose recipe is then `recipe`. Throws InvalidParams.
-  Litter(const Params& recipe, std::shared_ptr<const Snapshot> from, int threads,
-         const Recording& recording);
+  /// A new litter, or the one of `from`, whose recipe is then `recipe`. Its steps record what the
+  /// observables need, and `watched` beside that. Throws InvalidParams.
+  Litter(const Params& recipe, std::shared_ptr<const Snapshot> from, int threads, PartSet watched);
 
   const Simulation& simulation() const { return simulation_; }
   const Params& params() const { return simulation_.params(); }
@@ -54,7 +48,8 @@ class Litter {
   /// The same to the step where it is, so that the last step records what is wanted now.
   void seek_anew() { seek_anew(at()); }
 
-  void record(const Recording& recording);
+  /// Has the steps to come record `watched` beside what the observables need.
+  void record(PartSet watched);
   /// Whether the last step has recorded all that.
   bool recorded() const { return simulation_.view().recorded.includes(parts()); }
 
@@ -129,7 +124,7 @@ class Litter {
   std::int64_t parted_at_ = 0;
   Simulation simulation_;
   int threads_;
-  Recording recording_;
+  PartSet watched_;
   std::size_t bytes_ = SIZE_MAX;      // for keyframes
   std::optional<Observer> observer_;  // none before the first step that it can compare with
   std::int64_t watched_from_ = 0;     // the step of the state that it saw first

@@ -253,7 +253,7 @@ Litter Litter::from_begin(std::span<const Setting> different) const {
     for (const auto& [place, value] : different) parameters()[place].set(recipe, value);
   }
   recipe.schedule = without(run_.recipe.schedule, different, recipe.pups);
-  Litter begun(recipe, run_.from, threads_, recording_);
+  Litter begun(recipe, run_.from, threads_, watched_);
   begun.begun_with_ = without(begun_with_, different, recipe.pups);
   return begun;
 }

@@ -20,8 +20,8 @@ bool waits(const Command& command) {
       [](const auto& asked) {
         using Asked = std::remove_cvref_t<decltype(asked)>;
         return !(std::is_same_v<Asked, GoTo> || std::is_same_v<Asked, Speed> ||
-                 std::is_same_v<Asked, Observe> || std::is_same_v<Asked, ColorBy> ||
-                 std::is_same_v<Asked, Watch> || std::is_same_v<Asked, Suspend>);
+                 std::is_same_v<Asked, ColorBy> || std::is_same_v<Asked, Watch> ||
+                 std::is_same_v<Asked, Suspend>);
       },
       command);
 }
@@ -38,7 +38,7 @@ bool parted(const LitterView& a, const LitterView& b) {
 }  // namespace
 
 Session::Session(const Params& params, bool playing, int threads, std::optional<Snapshot> from)
-    : first_(params, shared(std::move(from)), threads, {.parts = pup_fields().front().parts}),
+    : first_(params, shared(std::move(from)), threads, pup_fields().front().parts),
       threads_(threads),
       playing_(playing) {
   first_.keep_within(kKeyframeBytes);
@@ -73,9 +73,6 @@ void Session::carry_out(const Command& command) {
           restart();
         } else if constexpr (std::is_same_v<Asked, Open>) {
           open(asked);
-        } else if constexpr (std::is_same_v<Asked, Observe>) {
-          observed_ = asked.on;
-          record();
         } else if constexpr (std::is_same_v<Asked, ColorBy>) {
           color_by_ = asked.field;
           record();
@@ -109,7 +106,7 @@ void Session::carry_out(const Command& command) {
 void Session::open(const Open& asked) {
   rejected_.clear();
   try {
-    Litter opened(asked.params, shared(asked.from), threads_, {.parts = {}});
+    Litter opened(asked.params, shared(asked.from), threads_, PartSet{});
     stop();
     first_ = std::move(opened);
   } catch (const std::bad_alloc&) {
@@ -128,7 +125,7 @@ void Session::open(const Open& asked) {
 
 /// Has the steps to come record what is shown; at rest the last one is taken again for it.
 void Session::record() {
-  const Litter::Recording wanted{.parts = color_by_->parts | watch_.parts, .observed = observed_};
+  const PartSet wanted = color_by_->parts | watch_.parts;
   const bool rests = !playing_ && pending_ == 0 && !seeking();
   for (Litter* litter : litters()) {
     litter->record(wanted);

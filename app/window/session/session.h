@@ -43,9 +43,6 @@ struct Open {       // another recipe, from the start or as that snapshot of it 
   Params params;
   std::optional<Snapshot> from;
 };
-struct Observe {  // whether the observables are shown
-  bool on;
-};
 struct ColorBy {  // the field of a pup or an afferent that is shown as color
   const LitterField* field;
 };
@@ -76,14 +73,14 @@ struct Compare {               // step a second litter beside this one; none: on
   std::optional<Params> with;  // what differs from the present parameters differs in it
   bool from_now = false;       // it begins as this litter is now; otherwise both begin anew
 };
-using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Open, Observe, ColorBy,
-                             Watch, Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare>;
+using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Open, ColorBy, Watch,
+                             Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare>;
 
 /// One litter as the window shows it.
 struct LitterState {
   LitterCopy litter;
   LitterView view() const { return litter.view(); }
-  std::optional<Observables> observables;  // of the last step, when observed
+  std::optional<Observables> observables;  // of the last step, if it could be compared
   History history;
   Status status;
   std::vector<Warning> warnings;
@@ -191,7 +188,7 @@ class Session {
   const LitterField* color_by_ = &pup_fields().front();
   Watch watch_{};
   int threads_;  // that share a step
-  bool observed_ = true, suspended_ = false, playing_, changed_ = true;
+  bool suspended_ = false, playing_, changed_ = true;
   bool interrupted_ = false;  // it was playing when the numbers went wrong
   std::int64_t pending_ = 0;  // steps still to be made by Advance
   double speed_ = 1;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/window/x_errors.h"
+
 namespace pupflow::window {
 namespace {
 
@@ -35,6 +37,7 @@ Painter::Painter(const context::GlfwWindow& window, bool slow_gl) : window_(wind
 
 void Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, view::Rgb paper) {
   ImDrawData& data = *ImGui::GetDrawData();
+  const int width = static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x);
   const int height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);
   const bool new_fonts = scale_ != gui.scale() || density_ != gui.density();  // in the same texture
   scale_ = gui.scale();
@@ -59,7 +62,7 @@ void Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, vi
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   cut_to(data, boxes);
   gui.draw();
-  show(boxes, height);
+  show(boxes, width, height);
 }
 
 void Painter::clear(std::span<const PixelBox> boxes, std::span<const PixelBox> images, int height,
@@ -76,11 +79,15 @@ void Painter::clear(std::span<const PixelBox> boxes, std::span<const PixelBox> i
   glDisable(GL_SCISSOR_TEST);
 }
 
-void Painter::show(std::span<const PixelBox> boxes, int height) const {
+void Painter::show(std::span<const PixelBox> boxes, int width, int height) {
   if (copy_box_ == nullptr) {
     glfwSwapBuffers(window_.handle());
     return;
   }
+  int width_now = 0, height_now = 0;
+  glfwGetFramebufferSize(window_.handle(), &width_now, &height_now);
+  if (width_now != width || height_now != height) return forget();  // its event is on the way
+  pass_over_errors_of_copies();
   for (const PixelBox& box : gathered(boxes, kMostCopies)) {
     copy_box_(display_, drawable_, box.left, height - box.bottom, box.width(), box.height());
   }

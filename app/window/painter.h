@@ -37,7 +37,7 @@ class Painter {
  private:
   void clear(std::span<const PixelBox> boxes, std::span<const PixelBox> images, int height,
              view::Rgb paper) const;
-  void show(std::span<const PixelBox> boxes, int height) const;
+  void show(std::span<const PixelBox> boxes, int width, int height);
 
   const context::GlfwWindow& window_;
   void (*copy_box_)(void* display, unsigned long drawable, int x, int y, int width,

@@ -51,6 +51,11 @@ class Picture {
   /// Tells of the litter between pictures, for trails. Does nothing without them.
   void watch(const LitterView& litter);
 
+  /// Where the pups were until now, for trails of the look's length.
+  void remember(const view::Trails& trails) {
+    if (trails.seconds() == look_.trail) trails_ = trails;
+  }
+
   /// The litter as `camera` sees it. In a sequence, automatic scales follow the data within half a
   /// second of the model. The renderer's context must be current. Throws Failure(bad_input) when
   /// the driver allows no picture of that size with the look's samples.

@@ -224,12 +224,15 @@ void DrawList::add_skin(const Body& body, const Light& light) {
   const float chord = kChord * edge * edge / (8 * std::max(radius, edge));
   const float lift = (drawing_.draw == Draw::both ? kBothLift : 1.0f) * sphere_radius_ + chord -
                      (soft ? 0.5f * body.pixel : 0.0f);
+  for (std::size_t v = 0; v < shape_.places.size(); ++v) {
+    shape_.places[v] += lift * shape_.normals[v];
+  }
+  find_facing(body, mesh);
   std::vector<Vertex> vertices;
   std::vector<float> brightness;
   for (std::size_t v = 0; v < shape_.places.size(); ++v) {
-    const Eigen::Vector3f& normal = shape_.normals[v];
-    const Eigen::Vector3f place = shape_.places[v] + lift * normal;
-    brightness.push_back(light.at(body.pup, place, normal));
+    const Eigen::Vector3f& place = shape_.places[v];
+    brightness.push_back(seen_[v] != 0 ? light.at(body.pup, place, shape_.normals[v]) : 0.0f);
     // Where points have colors of their own and are not shown one by one, the first one's do.
     const std::size_t point = v < mesh.points.size() ? static_cast<std::size_t>(mesh.points[v]) : 0;
     vertices.push_back(lit(place, color(body, point), brightness.back()));
@@ -241,8 +244,34 @@ void DrawList::add_skin(const Body& body, const Light& light) {
   }
   const auto first = static_cast<std::uint32_t>(skin_.vertices.size());
   skin_.vertices.insert(skin_.vertices.end(), vertices.begin(), vertices.end());
-  for (const auto& triangle : mesh.triangles) {
-    for (const int v : triangle) skin_.indices.push_back(first + static_cast<std::uint32_t>(v));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (drawn_[t] == 0) continue;
+    for (const int v : mesh.triangles[t]) {
+      skin_.indices.push_back(first + static_cast<std::uint32_t>(v));
+    }
+  }
+}
+
+/// Which triangles face the eye, which are drawn, and the vertices of these.
+void DrawList::find_facing(const Body& body, const SkinMesh& mesh) {
+  constexpr float kEdgeOn = 1e-3f;  // cosine; OpenGL decides about what is this close to edge-on
+  const bool all = drawing_.culling == Culling::none;
+  facing_.clear();
+  drawn_.clear();
+  seen_.assign(shape_.places.size(), all ? 1 : 0);
+  const auto place = [&](int v) -> const Eigen::Vector3f& {
+    return shape_.places[static_cast<std::size_t>(v)];
+  };
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Eigen::Vector3f normal = (place(b) - place(a)).cross(place(c) - place(a));
+    const Eigen::Vector3f sight = body.sight(place(a));
+    const float towards = normal.dot(sight);
+    const bool edge_on =
+        towards * towards <= kEdgeOn * kEdgeOn * normal.squaredNorm() * sight.squaredNorm();
+    facing_.push_back(towards > 0 ? 1 : 0);
+    drawn_.push_back(all || towards > 0 || edge_on ? 1 : 0);
+    if (drawn_.back() == 0) continue;
+    for (const int v : {a, b, c}) seen_[static_cast<std::size_t>(v)] = 1;
   }
 }
 
@@ -254,7 +283,9 @@ void DrawList::add_cells(const Body& body, const SkinMesh& mesh,
     Eigen::Vector3f place;
     float brightness;
   };
-  for (const std::array<int, 3>& triangle : mesh.triangles) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (drawn_[t] == 0) continue;
+    const std::array<int, 3>& triangle = mesh.triangles[t];
     Lit corner[3];
     for (std::size_t c = 0; c < 3; ++c) {
       const auto v = static_cast<std::size_t>(triangle[c]);
@@ -287,10 +318,7 @@ void DrawList::add_outline(const Body& body, const SkinMesh& mesh,
     const Vertex& vertex = vertices[static_cast<std::size_t>(v)];
     return Eigen::Vector3f(vertex.x, vertex.y, vertex.z);
   };
-  const auto faces_eye = [&](int t) {
-    const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(t)];
-    return (place(b) - place(a)).cross(place(c) - place(a)).dot(body.sight(place(a))) > 0;
-  };
+  const auto faces_eye = [&](int t) { return facing_[static_cast<std::size_t>(t)]; };
   const auto outer = [&](int v) {
     const Eigen::Vector3f sight = body.sight(place(v)).normalized();
     Eigen::Vector3f across = shape_.normals[static_cast<std::size_t>(v)];

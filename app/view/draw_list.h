@@ -70,6 +70,7 @@ class DrawList {
   void add_cells(const Body& body, const SkinMesh& mesh, const std::vector<Vertex>& vertices,
                  const std::vector<float>& brightness);
   void add_outline(const Body& body, const SkinMesh& mesh, const std::vector<Vertex>& vertices);
+  void find_facing(const Body& body, const SkinMesh& mesh);
   const SkinMesh& mesh_for(float pixels);  // for a radius of so many samples
   const SkinMesh& whole_mesh();
   Rgb color(const Body& body, std::size_t point) const;
@@ -90,6 +91,8 @@ class DrawList {
   std::vector<Ball> balls_;                         // radius 0 where a pup's numbers went bad
   std::map<std::pair<int, int>, SkinMesh> meshes_;  // by points on an edge, and halvings
   SkinShape shape_;
+  std::vector<char> facing_, drawn_;  // of the triangles of the last skin: whether they are so
+  std::vector<char> seen_;            // of its vertices: whether one of these is drawn
 };
 
 }  // namespace pupflow::view

@@ -92,7 +92,8 @@ float Light::at(std::size_t own, const Eigen::Vector3f& place,
   for (std::size_t i = first_[own]; i < first_[own + 1]; ++i) {
     const Ball& ball = balls_[static_cast<std::size_t>(neighbours_[i])];
     const Eigen::Vector3f away = ball.centre - place;
-    sky *= 1 - std::min(kCrevice * hidden_sky(away, ball.radius, normal), 1.0f);
+    const bool below = normal.dot(away) < -ball.radius;  // the horizon: it hides nothing
+    if (!below) sky *= 1 - std::min(kCrevice * hidden_sky(away, ball.radius, normal), 1.0f);
     if (key > 0) key *= left_of_key(away, ball.radius, lamp);
   }
   // A body hides from its lower side the floor's light, the more the lower it lies.

@@ -1,62 +1,78 @@
 #include "app/window/arena_view.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "app/io/frame_path.h"
 #include "app/io/provenance.h"
 #include "app/io/text.h"
 #include "app/pictures/picture.h"
-#include "app/pictures/render.h"
 #include "app/view/framing.h"
 
 namespace pupflow::window {
 namespace {
 
 constexpr const char* kPattern = "pupflow-%05d.png";
+constexpr double kForever = 3600;  // seconds
 
 }  // namespace
 
-ArenaView::ArenaView(const pictures::Look& look) : look_(look), renderer_(look.shader_dir) {}
+ArenaView::ArenaView(const pictures::Look& look, std::function<void()> notify)
+    : look_(look), renderer_(look.shader_dir), worker_(std::move(notify)) {}
 
-bool ArenaView::draw(const LiveState& snapshot, bool fresh, const view::ColorScale& scale,
-                     int width, int height, int samples) {
-  const LitterView litter = snapshot.view();
+bool ArenaView::Wanted::same_as(const Wanted& other) const {
+  return camera == other.camera && scale.same_as(other.scale) &&
+         drawing.rows == other.drawing.rows && drawing.draw == other.drawing.draw &&
+         drawing.quality == other.drawing.quality;
+}
+
+bool ArenaView::draw(const LitterView& litter, bool fresh, const view::ColorScale& scale, int width,
+                     int height, int samples) {
   camera_ = view::framed(camera_, litter.params, static_cast<double>(width) / height);
-  const view::Drawing drawing{
-      .draw = look_.draw, .quality = look_.quality, .rows = height * samples};
-  const view::Drawing& drawn = list_.drawing();
-  const bool other_bodies =
-      drawing.rows != drawn.rows || drawing.draw != drawn.draw || drawing.quality != drawn.quality;
-  const bool reload = fresh || other_bodies || camera_ != drawn_camera_ || !drawn_scale_ ||
-                      !scale.same_as(*drawn_scale_);
-  const bool same_store =
-      store_.width() == width && store_.height() == height && samples == drawn_samples_;
-  if (!reload && same_store) return false;
-  if (reload) {
-    list_.update(litter, scale, camera_, drawing);
-    renderer_.upload(list_);
+  const Wanted wanted{
+      camera_, scale, {.draw = look_.draw, .quality = look_.quality, .rows = height * samples}};
+  const bool new_size = store_.width() != width || store_.height() != height;
+  bool anew = pending_ && finish(new_size || fresh ? kForever : 0);
+  if (!pending_ && (fresh || !begun_ || !wanted.same_as(wanted_))) {
+    begun_ = pending_ = true;
+    wanted_ = wanted;
+    worker_.start(
+        [this, litter] { next_.update(litter, wanted_.scale, wanted_.camera, wanted_.drawing); });
+    anew |= finish(new_size ? kForever : kPatience);
   }
+  if (!anew && !new_size && samples == drawn_samples_) return false;
+  if (!uploaded_) renderer_.upload(list_);
+  uploaded_ = true;
   store_.resize(width, height);
   store_.bind();
-  renderer_.draw(camera_, {0, 0, width, height}, samples);
-  drawn_camera_ = camera_;
-  drawn_scale_ = scale;
+  renderer_.draw(drawn_.camera, {0, 0, width, height}, samples);
   drawn_samples_ = samples;
+  return true;
+}
+
+/// Takes over what is pending when it is done within `patience` seconds.
+bool ArenaView::finish(double patience) {
+  if (!worker_.done_within(patience)) return false;
+  pending_ = false;
+  std::swap(list_, next_);
+  drawn_ = wanted_;
+  uploaded_ = false;
   return true;
 }
 
 io::Image ArenaView::picture(pictures::Picture& picture, const LiveState& snapshot) {
   const LitterView litter = snapshot.view();
-  drawn_scale_.reset();  // from here on the renderer holds what this camera sees
+  uploaded_ = false;  // from here on the renderer holds what this picture shows
   return picture.draw(renderer_, litter,
                       view::framed(camera_, litter.params, picture.scene_aspect()));
 }
 
 void ArenaView::write_picture(const std::string& path, const LiveState& snapshot,
-                              const pictures::Look& look) {
-  const pictures::RenderJob usual;
+                              const pictures::Look& look, const view::Trails& trails, int width,
+                              int height) {
   const LitterView litter = snapshot.view();
-  pictures::Picture picture(usual.width, usual.height, true, look);
+  pictures::Picture picture(width, height, true, look);
+  picture.remember(trails);
   const view::Camera camera = view::framed(camera_, litter.params, picture.scene_aspect());
   const io::Image image = this->picture(picture, snapshot);
 
@@ -65,6 +81,7 @@ void ArenaView::write_picture(const std::string& path, const LiveState& snapshot
     extra.insert(extra.end(), more.begin(), more.end());
   };
   add(pictures::camera_entries(camera));
+  add({{"size", std::to_string(width) + "x" + std::to_string(height)}});
   if (snapshot.hash) add({{"hash", io::hash_text(*snapshot.hash)}});
   add(picture.look_entries());
   io::write_png(path, image, io::provenance(litter.recipe, extra), false,

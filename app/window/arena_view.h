@@ -1,7 +1,7 @@
 // The arena in its part of the window: the camera that the mouse moves, drawing, pictures.
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -12,14 +12,16 @@
 #include "app/view/camera.h"
 #include "app/view/draw_list.h"
 #include "app/window/session/session.h"
+#include "app/window/session/worker.h"
 
 namespace pupflow::window {
 
 /// Draws snapshots. A context must be current whenever a function here runs.
 class ArenaView {
  public:
-  /// Throws Failure for shaders that cannot be used.
-  explicit ArenaView(const pictures::Look& look);
+  /// `notify` is called on another thread when something can be drawn. Throws Failure for shaders
+  /// that cannot be used.
+  ArenaView(const pictures::Look& look, std::function<void()> notify);
 
   /// Looks through `camera`, the arena filling the picture.
   void look_from(const view::Camera& camera) { camera_ = camera; }
@@ -37,11 +39,21 @@ class ArenaView {
   /// The outlines of the bodies that were drawn last.
   std::span<const view::Ball> bodies() const { return list_.balls(); }
 
+  /// Through which it was drawn.
+  const view::Camera& drawn_camera() const { return drawn_.camera; }
+
   /// Draws `snapshot` into a store of its own, `width` x `height` pixels with `samples` x `samples`
   /// samples each in the colors of `scale`, unless it is drawn there already. `fresh` says that the
   /// snapshot is another one than last time. Returns whether anything was drawn.
-  bool draw(const LiveState& snapshot, bool fresh, const view::ColorScale& scale, int width,
+  ///
+  /// What is to be drawn is worked out on another thread. This one waits for kPatience, and without
+  /// end where the store has no picture of that size; when it takes longer, a later call draws it.
+  /// Until then it is `pending`, and the snapshot must stay as it is.
+  bool draw(const LitterView& litter, bool fresh, const view::ColorScale& scale, int width,
             int height, int samples);
+  bool pending() const { return pending_; }
+  /// Whether the next call draws what is pending.
+  bool ready() { return pending_ && !worker_.busy(); }
 
   /// What was drawn.
   const gl::Target& store() const { return store_; }
@@ -49,22 +61,36 @@ class ArenaView {
   /// The picture of `snapshot` that `picture` makes from here.
   io::Image picture(pictures::Picture& picture, const LiveState& snapshot);
 
-  /// Writes the picture that `pupflow render` would make from here, in its usual size, with the
-  /// color bar and all that is needed to make it again. Overwrites nothing. Throws Failure.
-  void write_picture(const std::string& path, const LiveState& snapshot,
-                     const pictures::Look& look);
+  /// Writes the picture of `width` x `height` pixels that `pupflow render` would make from here with
+  /// that look and those trails, with the color bar and all that is needed to make it again. Overwrites nothing.
+  /// Throws Failure.
+  void write_picture(const std::string& path, const LiveState& snapshot, const pictures::Look& look,
+                     const view::Trails& trails, int width, int height);
 
  private:
+  static constexpr double kPatience = 0.006;  // seconds
+
+  /// What decides how a litter is drawn.
+  struct Wanted {
+    view::Camera camera;
+    view::ColorScale scale;
+    view::Drawing drawing;
+    bool same_as(const Wanted& other) const;
+  };
+
+  bool finish(double patience);
+
   pictures::Look look_;  // how bodies are drawn
   gl::Renderer renderer_;
   gl::Target store_;
-  view::DrawList list_;
+  view::DrawList list_, next_;  // drawn, and being worked out
   view::Camera camera_ = view::Camera::parse(view::Camera::kUsual);
-
-  // What the store shows.
-  view::Camera drawn_camera_;
-  std::optional<view::ColorScale> drawn_scale_;
+  Wanted drawn_, wanted_;  // of these two
+  bool pending_ = false;
+  bool begun_ = false;     // something was wanted
+  bool uploaded_ = false;  // the renderer holds list_
   int drawn_samples_ = 0;
+  Worker worker_;  // last: it uses next_
 };
 
 /// Where the next picture goes: `pattern` (with %d or %05d for the step; empty: pupflow-%05d.png)

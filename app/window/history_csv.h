@@ -8,9 +8,9 @@
 
 namespace pupflow::window {
 
-/// The samples of these steps as a CSV file of the program: the header that every one
-/// has, then a row for each of the finest samples that are kept. Where the history has single steps, step, time and observables are
-/// those of the metrics CSV; where a sample stands for several, means.
+/// The samples of these steps as a CSV file of the program: the header that every one has, then a
+/// row for each of the finest samples that are kept. A row of one step begins as that of the
+/// metrics CSV; where a sample stands for several steps, it has their means.
 std::string history_csv(const LitterState& state, StepRange steps);
 
 /// Writes it to a new file beside the pictures: `pattern` is theirs (see picture_path), its ending

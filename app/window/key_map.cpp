@@ -154,7 +154,11 @@ constexpr std::array kMouse{
     MouseRow{"Right or middle drag, Shift + left drag", "move the view"},
     MouseRow{"Wheel", "nearer or further, towards the cursor"},
     MouseRow{"Minimise the window", "the run goes on, unless Run > pause when minimised"},
-    MouseRow{"Ctrl + click on a slider", "type a number, also one beyond the slider's ends"},
+    MouseRow{"Click on a number, Ctrl + click on its slider",
+             "type it, also beyond the slider's ends; a comma is a decimal point"},
+    MouseRow{"Right click on a parameter, or click on its title",
+             "its default, the scene's value, a ramp"},
+    MouseRow{"Drag on the timeline", "go to any step of the run"},
 };
 
 }  // namespace

@@ -48,7 +48,11 @@ void LiveWindow::install_key_callback() {
                      [](GLFWwindow* w, int code, int scancode, int action, int mods) {
                        LiveWindow& window = window_of(w);
                        window.schedule_.event();
-                       window.gui_->key(code, scancode, action, mods);
+                       // Tab goes through the pups; Dear ImGui would go to the next text field.
+                       const bool panels = text_has_keyboard() || keys_work_panels();
+                       if (code != GLFW_KEY_TAB || panels) {
+                         window.gui_->key(code, scancode, action, mods);
+                       }
                        if (action == GLFW_RELEASE) return;
                        window.key(layout_key(code, scancode), mods, action == GLFW_REPEAT);
                      });
@@ -236,7 +240,11 @@ void LiveWindow::take_picture() {
   const LiveState& snapshot = runner_.snapshot();
   try {
     const std::string path = picture_path(job_.screenshot, snapshot.view().step);
-    arena_.write_picture(path, snapshot, controls_.look);
+    pictures::Look look = controls_.look;
+    look.scale = scale_;
+    const auto side = [](int pixels) { return std::max(pixels, pictures::kSmallestSide); };
+    arena_.write_picture(path, snapshot, look, marks_.trails(), side(picture_width_),
+                         side(picture_height_));
     events_.screenshot(path);
     show("saved " + path);
   } catch (const io::Failure& failure) {

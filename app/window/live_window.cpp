@@ -27,7 +27,7 @@ LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
       painter_(window_, drawn_by_processor()),
-      arena_(job.look),
+      arena_(job.look, glfwPostEmptyEvent),
       events_(job.test_events),
       runner_({.params = job.params,
                .from = job.from,
@@ -65,6 +65,7 @@ void LiveWindow::run() {
     const double now = glfwGetTime();
     follow_visibility();
     exchange_snapshots(now);
+    if (arena_.ready() || (second_ && second_->view.ready())) schedule_.panels_changed();
     if (schedule_.frame_due(now)) frame(now);
   }
   end_film();
@@ -98,7 +99,8 @@ void LiveWindow::follow_visibility() {
 }
 
 void LiveWindow::exchange_snapshots(double now) {
-  if (runner_.take()) {
+  const bool pending = arena_.pending() || (second_ && second_->view.pending());
+  if (!pending && runner_.take()) {
     const LiveState& snapshot = runner_.snapshot();
     schedule_.snapshot_arrived(now);
     events_.snapshot(snapshot);
@@ -130,13 +132,19 @@ void LiveWindow::frame(double now) {
   events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
   events_.area("arena", layout.arena);
-  point_at_pups(layout.arena);
+  const ArenaAreas arenas = split_arena(layout.arena, snapshot.second.has_value());
+  point_at_pups(arenas.first);
   events_.problem(controls_.problem_at, controls_.problem);
-  move_camera(layout.arena, now);
+  move_camera(arenas.second && arenas.second->holds(io.MousePos) ? *arenas.second : arenas.first,
+              now);
   desk_frame(input);
   lead_camera(now);
   controls_.watch();
-  const DrawnArena drawn = draw_arena(layout);
+  const DrawnArenas drawn = draw_arenas(arenas);
+  const PixelBox seen = pixels_of(
+      {arenas.first.corner, {arenas.first.size.x + layout.bar.size.x, arenas.first.size.y}});
+  picture_width_ = seen.width();
+  picture_height_ = seen.height();
   gui_->end_frame();
 
   carry_out(now);
@@ -161,42 +169,15 @@ Layout LiveWindow::lay_out() {
 void LiveWindow::fit_scale() {
   const view::ColorScale& wanted = controls_.look.scale;
   const LitterView litter = runner_.snapshot().view();
-  const view::ColorScale fitted =
-      wanted.fitted(wanted.field->values(litter), litter.params.preferred_temperature);
+  std::vector<double> values = wanted.field->values(litter);
+  if (const auto& second = runner_.snapshot().second) {
+    const std::vector<double> more = wanted.field->values(second->view());
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  const view::ColorScale fitted = wanted.fitted(values, litter.params.preferred_temperature);
   const bool goes_on = fitted.follows(scale_) && litter.time >= scale_time_;
   scale_ = goes_on ? fitted.eased(scale_, view::easing(litter.time - scale_time_)) : fitted;
   scale_time_ = litter.time;
-}
-
-/// Into a store of its own; and what is painted over it, into the panels' list.
-LiveWindow::DrawnArena LiveWindow::draw_arena(const Layout& layout) {
-  const auto pixels = [&](float length) {
-    return static_cast<int>(std::lround(length * gui_->density()));
-  };
-  int width = 0, height = 0;
-  glfwGetFramebufferSize(window_.handle(), &width, &height);
-  PixelBox place{pixels(layout.arena.corner.x), pixels(layout.arena.corner.y),
-                 pixels(layout.arena.corner.x + layout.arena.size.x),
-                 pixels(layout.arena.corner.y + layout.arena.size.y)};
-  place.right = std::max(std::min(place.right, width), place.left + 1);
-  place.bottom = std::max(std::min(place.bottom, height), place.top + 1);
-  const int samples = schedule_.samples(controls_.look.samples());
-  const LiveState& snapshot = runner_.snapshot();
-  arena_.set_look(controls_.look);
-  const bool anew =
-      arena_.draw(snapshot, schedule_.fresh(), scale_, place.width(), place.height(), samples);
-  const LitterView litter = snapshot.view();
-  marks_.paint(*ImGui::GetBackgroundDrawList(),
-               {litter, scale_, arena_.camera(), arena_.bodies(), layout.arena}, schedule_.fresh(),
-               controls_.look, selection_marks());
-  return {place, anew, samples};
-}
-
-void LiveWindow::paint(const DrawnArena& drawn) {
-  const Painter::Image arena{&arena_.store(), drawn.place};
-  painter_.paint(*gui_, {&arena, 1}, drawn.anew, gl::Palette{}.background);
-  events_.camera(arena_.camera());
-  events_.frame(drawn.samples);
 }
 
 }  // namespace pupflow::window

@@ -3,7 +3,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/context/glfw_window.h"
 #include "app/view/pick.h"
@@ -39,10 +41,19 @@ class LiveWindow {
   void run();
 
  private:
-  struct DrawnArena {  // in this frame
-    PixelBox place;
+  struct ArenaAreas {
+    Area first;
+    std::optional<Area> second;
+  };
+  struct DrawnArenas {  // in this frame
+    std::vector<Painter::Image> images;
     bool anew;
     int samples;
+  };
+  struct SecondArena {  // while comparing
+    ArenaView view;
+    ArenaMarks marks;
+    bool unmarked;  // the litter is another one than its marks are of
   };
 
   // live_window.cpp: the loop and its frames.
@@ -53,8 +64,13 @@ class LiveWindow {
   void frame(double now);
   Layout lay_out();
   void fit_scale();
-  DrawnArena draw_arena(const Layout& layout);
-  void paint(const DrawnArena& drawn);
+
+  // live_arena.cpp: one litter, or two beside each other.
+  static ArenaAreas split_arena(const Area& arena, bool two);
+  DrawnArenas draw_arenas(const ArenaAreas& areas);
+  PixelBox pixels_of(const Area& area) const;
+  void label_arenas(const ArenaAreas& areas) const;
+  void paint(const DrawnArenas& drawn);
 
   // live_actions.cpp: what keys, buttons and the mouse do.
   void install_callbacks();
@@ -116,6 +132,9 @@ class LiveWindow {
   Painter painter_;
   ArenaView arena_;
   ArenaMarks marks_;
+  bool unmarked_ = true;  // as in the second arena
+  std::unique_ptr<SecondArena> second_;
+  int picture_width_ = 0, picture_height_ = 0;  // of arena and legend, pixels
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
   Controls controls_;
   Panels panels_;

@@ -36,6 +36,7 @@ namespace pupflow::window {
 ///   selected PUP|none, view free|follow|eye
 ///   field NAME TEXT       a field of the selected pup as the inspector shows it, when it changes
 ///   samples N             the arena has N x N samples a pixel, when N changes
+///   plots-span SPAN, plots-smooth TIME  what was chosen for the plots
 ///   pointed TIME|nowhere  where on the plots' common time axis the mouse is
 ///   tip X Y W H, tip none  where the tooltip is
 ///   theme light|dark, filmed PATH

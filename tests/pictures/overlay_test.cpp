@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/io/failure.h"
+#include "app/view/canvas.h"
 #include "app/view/mark_painter.h"
 #include "pupflow/fields.h"
 #include "pupflow/simulation.h"

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "app/io/failure.h"
+#include "app/io/text.h"
 #include "app/view/color_bar.h"
 #include "app/window/panels/color_ends.h"
 #include "app/window/panels/legend_plan.h"

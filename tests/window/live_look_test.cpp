@@ -22,6 +22,20 @@ class LiveLook : public Live {
     return entries;
   }
 
+  /// Opens the window and waits until everything stands where it stays.
+  void open_and_settle(const std::vector<std::string>& options) {
+    open(options);
+    settle();
+  }
+
+  /// A list takes two frames to find its place, and a press while it is open only closes it.
+  void choose(const std::string& list, const std::string& entry) {
+    click(list);
+    settle();
+    click(entry);
+    settle();
+  }
+
   void type_into(const std::string& name, const std::string& text) {
     click(name);
     await("text on");
@@ -30,7 +44,7 @@ class LiveLook : public Live {
 };
 
 TEST_F(LiveLook, OverlaysAndCaptionAreChosenInTheStrip) {
-  open({"--paused", "--out", "shot-%d.png"});
+  open_and_settle({"--paused", "--out", "shot-%d.png"});
   for (const char* name : {"overlay-ids", "overlay-trails", "caption"}) click(name);
   widget("trail");
   auto saved = picture();
@@ -41,11 +55,9 @@ TEST_F(LiveLook, OverlaysAndCaptionAreChosenInTheStrip) {
 }
 
 TEST_F(LiveLook, DrawAndQualityAreListsAndTheSamplesAreThoseOfTheQuality) {
-  open({"--paused", "--supersample", "2", "--out", "shot-%d.png"});
-  click("draw");
-  click("draw-points");
-  click("quality");
-  click("quality-fast");
+  open_and_settle({"--paused", "--supersample", "2", "--out", "shot-%d.png"});
+  choose("draw", "draw-points");
+  choose("quality", "quality-fast");
   auto saved = picture();
   EXPECT_EQ(saved["draw"], "points");
   EXPECT_EQ(saved["quality"], "fast");
@@ -53,7 +65,7 @@ TEST_F(LiveLook, DrawAndQualityAreListsAndTheSamplesAreThoseOfTheQuality) {
 }
 
 TEST_F(LiveLook, TheEndsAreTypedAndWhatCannotBeIsRefusedWithItsReason) {
-  open({"--paused", "--scale", "0,1", "--out", "shot-%d.png"});
+  open_and_settle({"--paused", "--scale", "0,1", "--out", "shot-%d.png"});
   type_into("scale_high", "0,75");
   EXPECT_EQ(picture()["scale"], "0,0.75");
   type_into("scale_low", "0.8");
@@ -66,7 +78,7 @@ TEST_F(LiveLook, TheEndsAreTypedAndWhatCannotBeIsRefusedWithItsReason) {
 }
 
 TEST_F(LiveLook, AnEndIsDraggedAndTheListGivesTheDataItsSayAgain) {
-  open({"--paused", "--scale", "0,1", "--out", "shot-%d.png"});
+  open_and_settle({"--paused", "--scale", "0,1", "--out", "shot-%d.png"});
   const Box grip = widget("scale_high_grip");
   screen_.press_and_move(grip.middle_x(), grip.middle_y(), grip.middle_x(), grip.middle_y() + 40);
   screen_.release();
@@ -75,27 +87,25 @@ TEST_F(LiveLook, AnEndIsDraggedAndTheListGivesTheDataItsSayAgain) {
   EXPECT_EQ(scale.substr(0, 2), "0,");
   EXPECT_LT(high, 0.95);
   EXPECT_GT(high, 0.5);
-  click("ends");
-  click("ends-around-tp");
+  choose("ends", "ends-around-tp");
   auto saved = picture();
   EXPECT_EQ(saved["colormap"], "bluered");
   EXPECT_NE(saved["scale"], scale);
 }
 
 TEST_F(LiveLook, CategoriesHaveNeitherEndsNorMap) {
-  open({"--paused", "--color-by", "group"});
-  settle();
+  open_and_settle({"--paused", "--color-by", "group"});
   EXPECT_EQ(widgets().count("scale_high"), 0u);
   EXPECT_EQ(widgets().count("colormap"), 0u);
-  click("color_by");
-  click("color_by-tb");
+  choose("color_by", "color_by-tb");
   widget("scale_high");
   widget("colormap");
 }
 
 TEST_F(LiveLook, ALowStripHasAButtonForTheOverlays) {
-  open({"--paused", "--size", "1400x520", "--out", "shot-%d.png"});
+  open_and_settle({"--paused", "--size", "1400x520", "--out", "shot-%d.png"});
   click("overlays");
+  settle();
   click("overlay-headings");
   screen_.press("Escape");
   EXPECT_EQ(picture()["overlay"], "headings");

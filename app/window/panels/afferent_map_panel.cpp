@@ -19,6 +19,7 @@ constexpr ImU32 kCellPaper = IM_COL32(255, 255, 255, 230);
 
 std::string text_of(const Field& field, double value) {
   if (std::isnan(value)) return "not known";
+  if (field.kind == FieldKind::categorical && value < 0) return "nobody";
   const auto category = static_cast<std::size_t>(std::max(value, 0.0));
   if (category < field.categories.size()) return std::string(field.categories[category]);
   std::string text = io::number_text(std::round(value * 1e4) / 1e4);
@@ -248,11 +249,13 @@ void AfferentMapPanel::draw_legend(const PanelInput& in, const Look& look) const
   const ImVec2 cursor = ImGui::GetCursorScreenPos();
   const ImVec2 corner{cursor.x, cursor.y + 0.4f * em};
   if (look.scale.categorical()) {
-    const std::set<double> present(look.values.begin(), look.values.end());
+    std::set<double> present;
+    for (const double value : look.values) {
+      if (!std::isnan(value)) present.insert(value);
+    }
     ImVec2 at = corner;
     for (const double value : present) {
-      std::string text = text_of(*field_, value);
-      if (value < 0) text = "nobody";
+      const std::string text = text_of(*field_, value);
       const float width = 1.4f * em + ImGui::CalcTextSize(text.c_str()).x;
       if (at.x > corner.x && at.x + width > corner.x + room) at = {corner.x, at.y + 1.3f * em};
       list.AddRectFilled({at.x, at.y + 0.15f * em}, {at.x + 0.9f * em, at.y + 0.95f * em},

@@ -23,23 +23,27 @@ bool toggle(const char* label, bool on, float width) {
   return pressed;
 }
 
-/// The label in the room that there is: as it is, small, or else the symbol.
+/// The label in the room that there is: with its symbol, alone, small, or else the symbol alone.
 void draw_label(const PanelInput& in, const LitterField& field) {
-  const float room = ImGui::GetContentRegionAvail().x;
-  const std::string label(field.label);
-  const float size = in.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
-  const auto fits = [&](const ImFont& font, float em) {
-    return font.CalcTextSizeA(em, FLT_MAX, 0, label.c_str()).x <= room;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
+  const float small = in.fonts.small->FontSize * ImGui::GetIO().FontGlobalScale;
+  const std::string label(field.label), symbol(field.symbol);
+  const std::string both = symbol.empty() ? label : symbol + "  " + label;
+  const auto fits = [&](const ImFont& font, float size, const std::string& text) {
+    return font.CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x <= room;
   };
-  if (fits(*in.fonts.text, ImGui::GetFontSize())) {
-    ImGui::TextUnformatted(label.c_str());
-  } else if (fits(*in.fonts.small, size) || field.symbol.empty()) {
-    ImGui::PushFont(in.fonts.small);
-    ImGui::TextUnformatted(label.c_str());
-    ImGui::PopFont();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (fits(*in.fonts.text, em, both)) {
+    draw_rich_text(list, in.fonts, corner, kInk, both);
+  } else if (fits(*in.fonts.text, em, label)) {
+    list.AddText(corner, kInk, label.c_str());
+  } else if (fits(*in.fonts.small, small, label) || symbol.empty()) {
+    list.AddText(in.fonts.small, small, {corner.x, corner.y + em - small}, kInk, label.c_str());
   } else {
-    rich_text(in.fonts, kInk, field.symbol);
+    draw_rich_text(list, in.fonts, corner, kInk, symbol);
   }
+  ImGui::Dummy({room, em});
 }
 
 /// On this line if there is room for a button of that width, else on the next.
@@ -138,6 +142,7 @@ void InspectorPanel::draw_fields(const PanelInput& in) const {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(room, 0.0f));
     ImGui::TextUnformatted(text.c_str());
     ImGui::TableNextColumn();
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.2f * em);
     ImGui::PushFont(in.fonts.small);
     ImGui::TextDisabled("%s", std::string(field.unit).c_str());
     ImGui::PopFont();

@@ -11,7 +11,7 @@ namespace {
 constexpr float kLeftWidth = 440, kLeastLeft = 400, kRightWidth = 290;
 constexpr float kLeastArena = 400;                           // beside two panels, with the legend
 constexpr float kLeastBeside = 320;                          // beside one panel, with the legend
-constexpr float kLeastWithBar = 220, kLeastBarHeight = 150;  // arena beside the legend; its height
+constexpr float kLeastWithBar = 210, kLeastBarHeight = 150;  // arena beside the legend; its height
 constexpr float kLeastDrawer = 200;                          // height
 
 constexpr float kLeftShare = 0.45f;       // of the width, between kLeastLeft and kLeftWidth

@@ -10,7 +10,7 @@ struct LayoutWish {
   float width = 0, height = 0;  // of the window
   float scale = 1;              // of widgets
   float menu = 20;              // height of the menu bar
-  float transport = 74;         // height that the content of the transport needs
+  float transport = 110;        // height that the content of the transport needs
   bool panels = true;           // beside the arena, where the window is wide enough for that
   bool drawer = false;          // over the arena, where it is not
 };

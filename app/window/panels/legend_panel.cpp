@@ -81,7 +81,7 @@ void LegendPanel::draw(const Area& strip, const view::ColorScale& fitted, const 
                                        .row = ImGui::GetFrameHeightWithSpacing(),
                                        .maps = (ends ? 1 : 0) + (scale.categorical() ? 0 : 1),
                                        .has_ends = ends,
-                                       .section = OverlayMenu::lines(in.controls.look),
+                                       .section = 1 + OverlayMenu::lines(),
                                        .least_bar = least_bar(scale),
                                        .usual = usual_bar(scale)});
   if (plan.field) draw_field(in);
@@ -228,6 +228,8 @@ void LegendPanel::draw_grip(ScaleEnd end, const Area& bar, const view::ColorScal
 
 void LegendPanel::draw_section(const LegendPlan& plan, const PanelInput& in) {
   if (plan.section) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("overlays");
     overlays_.draw(in);
     return;
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/io/scene_file.h"
+#include "app/io/text.h"
 
 namespace pupflow::window {
 namespace {
@@ -39,6 +40,12 @@ constexpr std::array kMenus{
          12},
     Menu{"Help", {Action::toggle_help}, 1},
 };
+
+bool has_effect(Action action, const Timeline& run) {
+  if (action == Action::undo) return run.can_undo;
+  if (action == Action::redo) return run.can_redo;
+  return true;
+}
 
 std::string capitalized(std::string text) {
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -102,6 +109,27 @@ void draw_recent(const PanelInput& in) {
   ImGui::EndMenu();
 }
 
+void draw_overlays(const PanelInput& in, OverlayMenu& overlays) {
+  const float width = 14 * ImGui::GetFontSize();
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
+  const bool open = ImGui::BeginMenu("Overlays and drawing");
+  in.events.widget("menu-overlays");
+  if (!open) return;
+  overlays.draw(in);
+  ImGui::EndMenu();
+}
+
+/// What a step and a frame cost, left of what stands at the right end.
+void draw_rates(const PanelInput& in, float right) {
+  if (in.state.microseconds_per_step == 0) return;
+  std::string text = io::formatted("%.0f \u00b5s a step", in.state.microseconds_per_step);
+  if (in.frames_per_second > 0) text += io::formatted(", %.0f frames/s", in.frames_per_second);
+  const float x = right - ImGui::CalcTextSize(text.c_str()).x - 2 * ImGui::GetFontSize();
+  if (x < ImGui::GetCursorPosX() + ImGui::GetFontSize()) return;
+  ImGui::SetCursorPosX(x);
+  ImGui::TextDisabled("%s", text.c_str());
+}
+
 constexpr const char* kHidePanels = "Hide panels";
 
 /// At the right end, in every layout: what H does.
@@ -109,13 +137,15 @@ void draw_panels_button(const PanelInput& in) {
   const bool shown = in.controls.narrow ? in.controls.drawer : in.controls.panels;
   const char* label = shown ? kHidePanels : "Panels";
   const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x);
+  const float x = ImGui::GetWindowWidth() - width - ImGui::GetStyle().ItemSpacing.x;
+  draw_rates(in, x);
+  ImGui::SetCursorPosX(x);
   if (ImGui::Button(label)) in.controls.actions.push_back(Action::toggle_panels);
   in.events.widget("panels");
   in.tips.show("Hide or show the panels (H)");
 }
 
-void draw_menus(const PanelInput& in) {
+void draw_menus(const PanelInput& in, OverlayMenu& overlays) {
   for (const Menu& menu : kMenus) {
     const bool open = ImGui::BeginMenu(menu.title);
     in.events.widget(std::string("menu-") + menu.title);
@@ -127,11 +157,13 @@ void draw_menus(const PanelInput& in) {
     }
     for (std::size_t i = 0; i < menu.count; ++i) {
       const KeyRow& row = key_row(menu.actions[i]);
-      if (ImGui::MenuItem(capitalized(row.doc).c_str(), row.text)) {
+      const bool can = has_effect(row.action, in.state.timeline);
+      if (ImGui::MenuItem(capitalized(row.doc).c_str(), row.text, false, can)) {
         in.controls.actions.push_back(row.action);
       }
       in.events.widget(word(row.text));
     }
+    if (menu.title == std::string_view("View")) draw_overlays(in, overlays);
     if (menu.title == std::string_view("Run")) {
       ImGui::MenuItem("Pause when minimised", nullptr, &in.controls.pause_minimised);
       in.events.widget("pause_minimised");
@@ -152,15 +184,15 @@ bool menus_fit() {
 
 }  // namespace
 
-void draw_menu(const PanelInput& in) {
+void draw_menu(const PanelInput& in, OverlayMenu& overlays) {
   if (!ImGui::BeginMainMenuBar()) return;
   if (menus_fit()) {
-    draw_menus(in);
+    draw_menus(in, overlays);
   } else {
     const bool open = ImGui::BeginMenu("Menu");
     in.events.widget("menu");
     if (open) {
-      draw_menus(in);
+      draw_menus(in, overlays);
       ImGui::EndMenu();
     }
   }

@@ -1,12 +1,13 @@
 // The menus along the top of the window.
 #pragma once
 
+#include "app/window/panels/overlay_menu.h"
 #include "app/window/panels/panel.h"
 
 namespace pupflow::window {
 
 /// Submits the main menu bar. Each entry asks for an action of the key table, so that what a menu
-/// does a key does too.
-void draw_menu(const PanelInput& in);
+/// does a key does too. `overlays` is a menu of its own below View.
+void draw_menu(const PanelInput& in, OverlayMenu& overlays);
 
 }  // namespace pupflow::window

@@ -1,5 +1,6 @@
 #include "app/window/panels/overlay_menu.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -38,8 +39,8 @@ void draw_values(const char* name, const char* doc, const std::array<std::string
 
 }  // namespace
 
-int OverlayMenu::lines(const pictures::Look& look) {
-  return static_cast<int>(view::overlays().size()) + (look.overlays.has("trails") ? 1 : 0) + 3;
+int OverlayMenu::lines() {
+  return static_cast<int>(view::overlays().size()) + 3;
 }
 
 void OverlayMenu::draw(const PanelInput& in) {
@@ -61,13 +62,15 @@ void OverlayMenu::draw(const PanelInput& in) {
 
 void OverlayMenu::draw_trail(const PanelInput& in) {
   double& trail = in.controls.look.trail;
-  ImGui::Indent();
-  const auto typed = text_.draw("##trail", io::number_text(trail), 3 * ImGui::GetFontSize());
+  // On the line of its box, so that nothing moves when it comes.
+  ImGui::SameLine();
+  const float unit = ImGui::CalcTextSize("s").x + ImGui::GetStyle().ItemSpacing.x;
+  const float width = std::min(3 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x - unit);
+  const auto typed = text_.draw("##trail", io::number_text(trail), width);
   in.events.widget("trail");
   in.tips.show("How long trails are, in seconds of the model");
   ImGui::SameLine();
   ImGui::TextUnformatted("s");
-  ImGui::Unindent();
   if (!typed) return;
   const Typed read = read_typed("the length of trails", 0.01, pictures::kLongestTrail, *typed);
   if (const auto* seconds = std::get_if<double>(&read)) {

@@ -9,7 +9,7 @@ namespace pupflow::window {
 class OverlayMenu {
  public:
   /// The lines that `draw` takes.
-  static int lines(const pictures::Look& look);
+  static int lines();
 
   /// Draws a box for each overlay, the length of trails while they are on, the caption's box, and
   /// the lists of what bodies are drawn as and how well, into the current Dear ImGui window.

@@ -57,7 +57,7 @@ std::span<const char* const> Panels::names() {
 
 bool Panels::draw(const Layout& layout, const PanelInput& in) {
   bool observed = false;
-  draw_menu(in);
+  draw_menu(in, overlays_);
   in.controls.inspected = {};
   if (layout.left.size.x > 0) {
     begin_panel(kLeft, layout.left);

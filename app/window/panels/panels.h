@@ -6,6 +6,7 @@
 #include "app/window/panels/inspector_panel.h"
 #include "app/window/panels/layout.h"
 #include "app/window/panels/numbers_panel.h"
+#include "app/window/panels/overlay_menu.h"
 #include "app/window/panels/panel.h"
 #include "app/window/panels/parameter_panel.h"
 #include "app/window/panels/transport_panel.h"
@@ -24,6 +25,7 @@ class Panels {
   float transport_height() const { return transport_height_; }
 
  private:
+  OverlayMenu overlays_;
   ParameterPanel parameters_;
   InspectorPanel inspector_;
   NumbersPanel numbers_;

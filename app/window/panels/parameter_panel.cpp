@@ -178,6 +178,8 @@ void ParameterPanel::row(const Parameter& parameter, const PanelInput& in) {
   ImGui::PushID(name.c_str());
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
+  // Before the field, which can then take the keyboard in this frame: none may follow soon.
+  if (menu_.draw(parameter, in)) entry_.focus(kField);
   rich_text(in.fonts, kInk, parameter.symbol);
   ImGui::TableNextColumn();
   if (parameter.kind == Parameter::Kind::choice) {
@@ -198,7 +200,6 @@ void ParameterPanel::row(const Parameter& parameter, const PanelInput& in) {
   const bool pressed = draw_title(parameter, in);
   item();
   if (pressed || right_click) menu_.open(parameter, in);
-  if (menu_.draw(parameter, in)) entry_.focus(kField);
   ImGui::PopID();
 }
 

@@ -42,7 +42,7 @@ PlotColors plot_colors() {
   colors.raw = with_alpha(accent, 0.4f);
   colors.second = pick(IM_COL32(196, 84, 16, 255), IM_COL32(240, 150, 84, 255));
   colors.selected = pick(IM_COL32(150, 40, 130, 255), IM_COL32(224, 140, 212, 255));
-  colors.tp = pick(IM_COL32(150, 90, 20, 255), IM_COL32(214, 168, 92, 255));
+  colors.tp = pick(IM_COL32(96, 100, 106, 255), IM_COL32(176, 182, 190, 255));
   colors.ta = pick(IM_COL32(72, 92, 160, 255), IM_COL32(146, 168, 232, 255));
   colors.reference = pick(IM_COL32(120, 124, 130, 255), IM_COL32(150, 156, 164, 255));
   colors.grid = with_alpha(ink, 0.08f);

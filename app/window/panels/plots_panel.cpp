@@ -47,6 +47,7 @@ void draw_choice(const char* id, float width, std::span<const PlotSpan> choices,
   const bool open = ImGui::BeginCombo(("##" + std::string(id)).c_str(), choices[chosen].text,
                                       ImGuiComboFlags_HeightLargest);
   events.widget(id);
+  events.note(id, choices[chosen].text);
   if (!open) return;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (ImGui::Selectable(choices[i].text, i == chosen)) chosen = i;
@@ -218,9 +219,11 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
     const auto read = [&](const std::vector<History::Entry>& entries, ImU32 color) {
       const auto value = value_at(observable_curve(entries, observable, window), *frame.pointed);
       if (!value) return;
-      const bool whole = *value == std::round(*value);
+      const bool whole = std::abs(*value - std::round(*value)) < 1e-9;
       const int digits = row.digits == 0 && !whole ? 1 : row.digits;
-      readings.push_back({io::formatted("%.*f", digits, *value), color});
+      const double unit = std::pow(10, -digits);
+      const double shown = unit * std::round(*value / unit) + 0.0;  // no "-0"
+      readings.push_back({io::formatted("%.*f", digits, shown), color});
       if (is_temperature(row)) readings.back().text += " = " + celsius_text(*value);
     };
     read(frame.first, colors.curve);
@@ -229,6 +232,7 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
   draw_title(in.fonts, row, corner, size.x, readings);
 
   const Area paper{{frame.left, corner.y + kTitleLines * em}, {frame.width, lines * em}};
+  constexpr int kRounding = 16;  // steps of the range, so that it moves now and then only
   const double least = std::pow(10, -row.digits);
   Range range{row.low, row.high};
   for (const auto* entries : {&frame.first, &frame.second}) {
@@ -236,7 +240,7 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
   }
   const Plot plot(
       in.fonts, paper,
-      {.x = frame.time, .y = rounded(range, 4, least), .x_labels = last, .y_least = least});
+      {.x = frame.time, .y = rounded(range, kRounding, least), .x_labels = last, .y_least = least});
   draw_curves(plot, frame, observable, in.state.second.has_value());
   std::int64_t drawn = -1;
   for (const Timeline::Mark& mark : in.state.timeline.marks) {
@@ -247,6 +251,9 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
     const std::int64_t pixel = std::lround(plot.x().place(time));
     if (pixel != drawn) plot.upright(time, colors.mark, true);
     drawn = pixel;
+  }
+  if (in.state.second && in.state.diverged_at) {
+    plot.upright(static_cast<double>(*in.state.diverged_at) * frame.dt, colors.second, true);
   }
   if (!in.state.history.empty() && in.state.history.last() > in.state.view().step) {
     plot.upright(frame.now, colors.now);
@@ -272,14 +279,23 @@ void PlotsPanel::draw_curves(const Plot& plot, const Frame& frame, std::size_t o
   draw(observable_curve(frame.first, observable, window), colors.curve);
   if (!temperature || frame.first.empty()) return;
   if (frame.selected) draw(pup_curve(frame.first, *frame.selected), colors.selected);
+  name_temperatures(plot, frame);
+}
+
+/// At the end of the lines of T_p and T_a, side by side, so that they never lie over each other.
+void PlotsPanel::name_temperatures(const Plot& plot, const Frame& frame) {
+  const PlotColors colors = plot_colors();
   const History::Sample& newest = *frame.first.back().sample;
-  const float lift = (newest.tp >= newest.ta ? 0.55f : -0.55f) * ImGui::GetFontSize();
-  // At the end of the lines, side by side, so that they never lie over each other.
   const double em =
       static_cast<double>(ImGui::GetFontSize() / frame.width) * (frame.time.high - frame.time.low);
   const double end = std::min(newest.time, frame.time.high) - em;
-  plot.text(end, newest.tp, colors.tp, "T\u209a", lift);
-  plot.text(end - 2 * em, newest.ta, colors.ta, "T\u2090", -lift);
+  const auto name = [&](double x, double value, ImU32 color, const char* text, bool above) {
+    const float line = 0.55f * ImGui::GetFontSize();
+    const float low = plot.y().from - plot.y().place(value);  // room below the line
+    plot.text(x, value, color, text, above || low < 2 * line ? line : -line);
+  };
+  name(end, newest.tp, colors.tp, "T\u209a", newest.tp >= newest.ta);
+  name(end - 2 * em, newest.ta, colors.ta, "T\u2090", newest.ta > newest.tp);
 }
 
 /// A line of fixed place below the plots: what is under the mouse, else what the axis means.
@@ -295,6 +311,11 @@ void PlotsPanel::draw_note(const PanelInput& in, const Frame& frame) const {
     if (steps > 1) text += io::formatted(", %d steps a point", steps);
   }
   small_rich_text(in.fonts, kFaint, text);
+  if (!in.state.second) return;
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float width = small_text_size(in.fonts, text + "second litter").x;
+  if (width + 2 * ImGui::GetFontSize() < room) ImGui::SameLine(0, ImGui::GetFontSize());
+  small_rich_text(in.fonts, plot_colors().second, "second litter");
 }
 
 }  // namespace pupflow::window

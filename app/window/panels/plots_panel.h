@@ -34,6 +34,7 @@ class PlotsPanel {
   void export_items(const PanelInput& in, const Frame& frame);
   void draw_plot(const PanelInput& in, const Frame& frame, std::size_t observable, bool last);
   void draw_curves(const Plot& plot, const Frame& frame, std::size_t observable, bool second) const;
+  static void name_temperatures(const Plot& plot, const Frame& frame);
   void draw_note(const PanelInput& in, const Frame& frame) const;
   void follow_mouse(Frame& frame) const;
   double window_of(std::size_t observable) const;

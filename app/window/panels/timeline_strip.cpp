@@ -12,8 +12,8 @@
 namespace pupflow::window {
 namespace {
 
-constexpr float kTrackShare = 0.5f;  // of the height; the rest is the other future and the text
-constexpr float kReach = 0.35f;      // em; a mark is pointed at from so far
+constexpr float kTrack = 1.25f;  // em; below it are the other future and the text
+constexpr float kReach = 0.35f;  // em; a mark is pointed at from so far
 
 ImU32 faded(ImU32 color, float alpha) {
   ImVec4 value = ImGui::ColorConvertU32ToFloat4(color);
@@ -170,12 +170,12 @@ void draw_timeline_strip(float height, const std::string& problem, const PanelIn
   const float inset = 0.45f * em;
   const Strip strip{strip_scale(in.state.timeline, corner.x + inset, width - 2 * inset),
                     corner,
-                    {corner.x + width, corner.y + kTrackShare * height},
+                    {corner.x + width, corner.y + kTrack * em},
                     em,
                     in,
                     *ImGui::GetWindowDrawList()};
   const float cursor_y = ImGui::GetCursorPosY();
-  ImGui::InvisibleButton("timeline", {width, kTrackShare * height + 0.3f * em});
+  ImGui::InvisibleButton("timeline", {width, (kTrack + 0.3f) * em});
   in.events.widget("timeline");
   const bool held = ImGui::IsItemActive(), pointed = ImGui::IsItemHovered();
   const float mouse = ImGui::GetIO().MousePos.x;

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "app/io/text.h"
@@ -65,7 +66,7 @@ std::int64_t new_seed() {
 void TransportPanel::draw(const PanelInput& in) {
   const float em = ImGui::GetFontSize(), gap = kTransportGap * em;
   const bool here = in.controls.problem_at == "speed" || in.controls.problem_at == "seed";
-  draw_timeline_strip(kStripHeight * em, here ? in.controls.problem : std::string(), in);
+  draw_timeline_strip(std::ceil(kStripHeight * em), here ? in.controls.problem : std::string(), in);
   const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
   const TransportPlan plan = plan_transport(width / em);
   int row = -1;

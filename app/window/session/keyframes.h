@@ -34,6 +34,13 @@ class Keyframes {
   /// Forgets every other one until the rest takes at most `bytes`.
   void keep_within(std::size_t bytes);
 
+  /// About the memory that adding it takes.
+  static std::size_t needed_for(const LitterView& litter) {
+    constexpr std::size_t kBytesPerPoint = 6 * sizeof(double) + sizeof(int);
+    return kBytesPerPoint * static_cast<std::size_t>(litter.pups) *
+           static_cast<std::size_t>(litter.points);
+  }
+
   std::size_t size() const { return frames_.size(); }
   std::size_t bytes() const;
 

@@ -132,7 +132,7 @@ void Litter::keep() {
                                   [&](const Warning& old) { return old.kind == warning.kind; });
     if (!told) run_.warnings.push_back(warning);
   }
-  if (!run_.keyframes.wants(at())) return;
+  if (!run_.keyframes.wants(at()) || Keyframes::needed_for(simulation_) > share()) return;
   run_.keyframes.add(simulation_);
   thin_out();
 }
@@ -240,9 +240,16 @@ void Litter::amend(std::span<const Change> changes) {
     parted_at_ = at();
     run_.cut(at());
     thin_out();
+  } else if (changes.empty() && nothing_to_come()) {
+    return;
   }
   simulation_.set_schedule(schedule_of(changes));
   run_.recipe = simulation_.recipe();
+}
+
+/// Whether nothing goes on or begins now or later.
+bool Litter::nothing_to_come() const {
+  return simulation_.recipe().schedule.next_change(at() - 1) == Schedule::kNever;
 }
 
 std::string Litter::set(std::span<const Setting> settings) {
@@ -259,8 +266,9 @@ std::string Litter::set(std::span<const Setting> settings) {
     if (parameters()[setting.parameter].effect != Parameter::Effect::next_step) continue;
     trial.push_back({.step = at(), .until = {}, .settings = {setting}, .pup = {}, .action = {}});
   }
-  if (std::string problem = problem_with(trial); !problem.empty()) return problem;
-
+  if (!nothing_to_come()) {  // otherwise `wanted` tells all; a long recipe takes long to check
+    if (std::string problem = problem_with(trial); !problem.empty()) return problem;
+  }
   forget_what_was_set_now(replaced, settings, stay);
   const std::int64_t lag = params().flow_lag;
   simulation_.set_params(wanted);
@@ -405,9 +413,8 @@ void Litter::keep_within(std::size_t bytes) {
 }
 
 void Litter::thin_out() {
-  const std::size_t share = other_ ? bytes_ / 2 : bytes_;
-  run_.keyframes.keep_within(share);
-  if (other_) other_->keyframes.keep_within(share);
+  run_.keyframes.keep_within(share());
+  if (other_) other_->keyframes.keep_within(share());
 }
 
 }  // namespace pupflow::window

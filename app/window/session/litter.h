@@ -105,6 +105,7 @@ class Litter {
   void mark_bad();
   void seek_anew(std::int64_t step);
   std::int64_t step_before(std::int64_t step) const;
+  std::size_t share() const { return other_ ? bytes_ / 2 : bytes_; }  // of a run
   void thin_out();
 
   // Changes.
@@ -115,6 +116,7 @@ class Litter {
   std::vector<Change> to_come(const Replaced& replaced) const;
   std::string problem_with(std::span<const Change> changes) const;
   void amend(std::span<const Change> changes);
+  bool nothing_to_come() const;
   template <class Replaced>
   void forget_what_was_set_now(const Replaced& replaced, std::span<const Setting> settings,
                                std::span<const Change> stay);

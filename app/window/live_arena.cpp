@@ -1,0 +1,104 @@
+// The arena of the live window: one litter, or two beside each other.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/window/live_window.h"
+#include "app/window/panels/resets.h"
+
+namespace pupflow::window {
+namespace {
+
+/// What `own` has where the other litter has something else.
+std::string differing_values(const Params& own, const Params& other) {
+  std::string text;
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.get(own) == parameter.get(other)) continue;
+    if (!text.empty()) text += ", ";
+    text += label_of(parameter) + " = " + format_value(parameter, own);
+  }
+  return text;
+}
+
+}  // namespace
+
+LiveWindow::ArenaAreas LiveWindow::split_arena(const Area& arena, bool two) {
+  if (!two) return {arena, {}};
+  const ImVec2 half{std::floor(arena.size.x / 2), arena.size.y};
+  return {{arena.corner, half}, Area{{arena.corner.x + half.x, arena.corner.y}, half}};
+}
+
+PixelBox LiveWindow::pixels_of(const Area& area) const {
+  const auto pixels = [&](float length) {
+    return static_cast<int>(std::lround(length * gui_->density()));
+  };
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window_.handle(), &width, &height);
+  PixelBox box{pixels(area.corner.x), pixels(area.corner.y), pixels(area.corner.x + area.size.x),
+               pixels(area.corner.y + area.size.y)};
+  box.right = std::max(std::min(box.right, width), box.left + 1);
+  box.bottom = std::max(std::min(box.bottom, height), box.top + 1);
+  return box;
+}
+
+/// Into stores of their own; and what is painted over them, into the panels' list.
+LiveWindow::DrawnArenas LiveWindow::draw_arenas(const ArenaAreas& areas) {
+  const LiveState& snapshot = runner_.snapshot();
+  DrawnArenas drawn{{}, false, schedule_.samples(controls_.look.samples())};
+  const auto draw = [&](ArenaView& view, ArenaMarks& marks, const LitterView& litter,
+                        const Area& area, bool fresh, bool& unmarked, const view::Marks& more) {
+    const PixelBox place = pixels_of(area);
+    view.set_look(controls_.look);
+    const bool anew =
+        view.draw(litter, fresh, scale_, place.width(), place.height(), drawn.samples);
+    drawn.anew |= anew;
+    drawn.images.push_back({&view.store(), place});
+    unmarked |= fresh;
+    const bool mark = unmarked && !view.pending();  // with the bodies, not before them
+    if (mark) unmarked = false;
+    marks.paint(*ImGui::GetBackgroundDrawList(),
+                {litter, scale_, view.drawn_camera(), view.bodies(), area}, mark, controls_.look,
+                more);
+  };
+  draw(arena_, marks_, snapshot.view(), areas.first, schedule_.fresh(), unmarked_,
+       selection_marks());
+  if (!areas.second) {
+    second_.reset();
+    return drawn;
+  }
+  const bool begins = !second_;
+  if (begins) second_.reset(new SecondArena{{controls_.look, glfwPostEmptyEvent}, {}, true});
+  second_->view.look_from(arena_.camera());
+  draw(second_->view, second_->marks, snapshot.second->view(), *areas.second,
+       schedule_.fresh() || begins, second_->unmarked, {});
+  label_arenas(areas);
+  return drawn;
+}
+
+/// Says in each what it differs by.
+void LiveWindow::label_arenas(const ArenaAreas& areas) const {
+  const LiveState& snapshot = runner_.snapshot();
+  const Params& first = snapshot.view().params;
+  const Params& second = snapshot.second->view().params;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float em = ImGui::GetFontSize();
+  const auto label = [&](const Area& area, const std::string& text) {
+    draw_rich_text(list, gui_->fonts(), {area.corner.x + em, area.corner.y + em},
+                   ImGui::GetColorU32(ImGuiCol_Text), text);
+  };
+  label(areas.first, differing_values(first, second));
+  label(*areas.second, differing_values(second, first));
+  const float x = areas.second->corner.x;
+  list.AddLine({x, areas.first.corner.y}, {x, areas.first.corner.y + areas.first.size.y},
+               ImGui::GetColorU32(ImGuiCol_Border));
+}
+
+void LiveWindow::paint(const DrawnArenas& drawn) {
+  painter_.paint(*gui_, drawn.images, drawn.anew, gl::Palette{}.background);
+  events_.camera(arena_.camera());
+  events_.frame(drawn.samples);
+}
+
+}  // namespace pupflow::window

@@ -52,7 +52,8 @@ inline void set_font_scale(float scale) {
   ImGui::GetIO().FontGlobalScale = scale;
 }
 
-/// After fonts were added: the next frame makes their texture anew, with all that the renderer has.
+/// After fonts were added: the next frame makes their texture anew. It does so only together with
+/// all else that the renderer holds.
 inline void remake_font_texture() {
   ImGui_ImplOpenGL3_DestroyDeviceObjects();
 }

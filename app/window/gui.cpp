@@ -48,10 +48,11 @@ void Gui::follow_scale() {
   apply_theme(theme_, scale);
   applied_ = theme_;
   if (same_size) return;
+  const bool first = scale_ == 0;  // the first frame makes the texture
   scale_ = scale;
   density_ = density;
   fonts_ = load_fonts(scale, density);
-  remake_font_texture();
+  if (!first) remake_font_texture();
 }
 
 void Gui::begin_frame() {

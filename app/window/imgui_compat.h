@@ -52,10 +52,10 @@ inline void set_font_scale(float scale) {
   ImGui::GetIO().FontGlobalScale = scale;
 }
 
-/// After fonts were added: the next frame makes their texture anew. It does so only together with
-/// all else that the renderer holds.
+/// After other fonts took the place of those that were drawn with.
 inline void remake_font_texture() {
-  ImGui_ImplOpenGL3_DestroyDeviceObjects();
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 #endif

@@ -227,6 +227,8 @@ TEST_F(LiveDesk, WithoutFfmpegOneLineSaysWhatToInstall) {
 
 TEST_F(LiveDesk, FullScreenAndBack) {
   open({"--paused", "--size", "900x600"});
+  screen_.press("Right");
+  await("step 1");  // the window has its final layout by then
   const int low = widget("play").y;
   screen_.press("F11");
   Box box = widget("play");
@@ -234,6 +236,7 @@ TEST_F(LiveDesk, FullScreenAndBack) {
     await("widget play ");
     box = widget("play");
   }
+  screen_.hand({"sleep", "1"});  // without a window manager the keyboard comes back late
   screen_.press("F11");
   while (box.y != low) {
     await("widget play ");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/window/panels/plot.h"
+
 namespace pupflow::window {
 namespace {
 
@@ -59,6 +61,22 @@ TEST(Theme, TextCanBeReadOnWhateverItStandsOn) {
     expect(of.bad, of.bad_panel, "bad", 200);
     expect(of.paper_ink, of.paper, "paper_ink", 201);
     expect(of.paper_faint, of.paper, "paper_faint", 202);
+  }
+}
+
+TEST(Theme, CurvesAndTheirNumbersCanBeRead) {
+  for (const Theme theme : {Theme::light, Theme::dark}) {
+    const Palette& of = palette_of(theme);
+    const PlotColors colors = plot_colors(of);
+    for (int curve = 0;
+         const ImU32 color : {colors.curve, colors.second, colors.selected, colors.tp, colors.ta}) {
+      for (const ImU32 under : {of.popup, of.panel}) {
+        EXPECT_GE(contrast(color, under), 4.5)
+            << kThemeNames[static_cast<std::size_t>(theme)] << ", curve " << curve;
+      }
+      ++curve;
+    }
+    EXPECT_GE(contrast(colors.reference, of.popup), 3);
   }
 }
 

@@ -20,7 +20,7 @@ ImU32 with_alpha(ImU32 color, float alpha) {
 
 /// The papers of plots are those of lists and tooltips.
 ImU32 paper_color() {
-  return ImGui::GetColorU32(ImGuiCol_PopupBg);
+  return palette().popup;
 }
 
 bool is_dark(ImU32 color) {
@@ -30,9 +30,9 @@ bool is_dark(ImU32 color) {
 
 }  // namespace
 
-PlotColors plot_colors() {
-  const bool dark = is_dark(paper_color());
-  const ImU32 ink = kInk, accent = kAccent;
+PlotColors plot_colors(const Palette& of) {
+  const bool dark = is_dark(of.popup);
+  const ImU32 ink = of.ink, accent = of.accent;
   const auto pick = [&](ImU32 light_theme, ImU32 dark_theme) {
     return dark ? dark_theme : light_theme;
   };
@@ -40,7 +40,7 @@ PlotColors plot_colors() {
   colors.curve = accent;
   colors.band = with_alpha(accent, 0.22f);
   colors.raw = with_alpha(accent, 0.4f);
-  colors.second = pick(IM_COL32(196, 84, 16, 255), IM_COL32(240, 150, 84, 255));
+  colors.second = pick(IM_COL32(182, 74, 8, 255), IM_COL32(240, 150, 84, 255));
   colors.selected = pick(IM_COL32(150, 40, 130, 255), IM_COL32(224, 140, 212, 255));
   colors.tp = pick(IM_COL32(96, 100, 106, 255), IM_COL32(176, 182, 190, 255));
   colors.ta = pick(IM_COL32(72, 92, 160, 255), IM_COL32(146, 168, 232, 255));

@@ -12,7 +12,7 @@
 
 namespace pupflow::window {
 
-/// Colors of curves. They stand at least 3 : 1 against the paper of either theme.
+/// Colors of curves. Those that are opaque can be read as text, too, on papers and panels.
 struct PlotColors {
   ImU32 curve, band, raw;  // of the litter; all its pups; before smoothing
   ImU32 second;            // of the litter that is compared
@@ -21,7 +21,7 @@ struct PlotColors {
   ImU32 reference;  // what other runs gave
   ImU32 grid, zero, now, mark;
 };
-PlotColors plot_colors();
+PlotColors plot_colors(const Palette& of = palette());
 
 /// How wide the labels left of a plot's paper are, and how high those below it.
 float plot_margin_left();

@@ -216,8 +216,8 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
   const double window = window_of(observable);
   std::vector<Reading> readings;
   if (frame.pointed) {
-    const auto read = [&](const std::vector<History::Entry>& entries, ImU32 color) {
-      const auto value = value_at(observable_curve(entries, observable, window), *frame.pointed);
+    const auto read = [&](const std::vector<CurvePoint>& curve, ImU32 color) {
+      const auto value = value_at(curve, *frame.pointed);
       if (!value) return;
       const bool whole = std::abs(*value - std::round(*value)) < 1e-9;
       const int digits = row.digits == 0 && !whole ? 1 : row.digits;
@@ -226,8 +226,11 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
       readings.push_back({io::formatted("%.*f", digits, shown), color});
       if (is_temperature(row)) readings.back().text += " = " + celsius_text(*value);
     };
-    read(frame.first, colors.curve);
-    if (in.state.second) read(frame.second, colors.second);
+    read(observable_curve(frame.first, observable, window), colors.curve);
+    read(observable_curve(frame.second, observable, window), colors.second);
+    if (is_temperature(row) && frame.selected) {
+      read(pup_curve(frame.first, *frame.selected), colors.selected);
+    }
   }
   draw_title(in.fonts, row, corner, size.x, readings);
 

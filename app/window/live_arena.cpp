@@ -24,10 +24,17 @@ std::string differing_values(const Params& own, const Params& other) {
 
 }  // namespace
 
+/// Beside each other, or one above the other where that leaves more room.
 LiveWindow::ArenaAreas LiveWindow::split_arena(const Area& arena, bool two) {
   if (!two) return {arena, {}};
-  const ImVec2 half{std::floor(arena.size.x / 2), arena.size.y};
-  return {{arena.corner, half}, Area{{arena.corner.x + half.x, arena.corner.y}, half}};
+  const ImVec2 corner = arena.corner;
+  ImVec2 half = arena.size;
+  if (half.x >= half.y) {
+    half.x = std::floor(half.x / 2);
+    return {{corner, half}, Area{{corner.x + half.x, corner.y}, half}};
+  }
+  half.y = std::floor(half.y / 2);
+  return {{corner, half}, Area{{corner.x, corner.y + half.y}, half}};
 }
 
 PixelBox LiveWindow::pixels_of(const Area& area) const {
@@ -90,9 +97,11 @@ void LiveWindow::label_arenas(const ArenaAreas& areas) const {
   };
   label(areas.first, differing_values(first, second));
   label(*areas.second, differing_values(second, first));
-  const float x = areas.second->corner.x;
-  list.AddLine({x, areas.first.corner.y}, {x, areas.first.corner.y + areas.first.size.y},
-               ImGui::GetColorU32(ImGuiCol_Border));
+  const ImVec2 from = areas.second->corner;
+  const bool beside = from.y == areas.first.corner.y;
+  const ImVec2 to = beside ? ImVec2{from.x, from.y + areas.second->size.y}
+                           : ImVec2{from.x + areas.second->size.x, from.y};
+  list.AddLine(from, to, ImGui::GetColorU32(ImGuiCol_Border));
 }
 
 void LiveWindow::paint(const DrawnArenas& drawn) {

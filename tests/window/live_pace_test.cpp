@@ -1,4 +1,4 @@
-// What the window draws and saves: pictures as seen, two arenas.
+// Pictures that the window saves.
 #include <gmock/gmock.h>
 
 #include "app/io/png.h"

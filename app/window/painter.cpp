@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::size_t kMostCopies = 3;  // to the screen; each waits for the driver
 
+// The driver notices another size of the window with a frame that is swapped. A copy of a part that
+// it takes to be beyond the window's edges would end the program.
+constexpr int kSwapsAfterResize = 2;
+
 /// A function of GLX, or null; GLFW finds these by name as it does those of OpenGL.
 template <class Function>
 Function find(const char* name) {
@@ -42,7 +46,10 @@ void Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, vi
   const bool new_fonts = scale_ != gui.scale() || density_ != gui.density();  // in the same texture
   scale_ = gui.scale();
   density_ = gui.density();
-  if (copy_box_ == nullptr || new_fonts) forget();
+  const std::array<float, 2> size{data.DisplaySize.x, data.DisplaySize.y};
+  if (size != size_) swaps_ = kSwapsAfterResize;
+  size_ = size;
+  if (copy_box_ == nullptr || new_fonts || swaps_ > 0) forget();
 
   std::vector<PixelBox> places;
   for (const Image& image : images) places.push_back(image.place);
@@ -80,7 +87,8 @@ void Painter::clear(std::span<const PixelBox> boxes, std::span<const PixelBox> i
 }
 
 void Painter::show(std::span<const PixelBox> boxes, int width, int height) {
-  if (copy_box_ == nullptr) {
+  if (copy_box_ == nullptr || swaps_ > 0) {
+    swaps_ = std::max(swaps_ - 1, 0);
     glfwSwapBuffers(window_.handle());
     return;
   }

@@ -7,10 +7,16 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/window/x_errors.h"
+
 namespace pupflow::window {
 namespace {
 
 constexpr std::size_t kMostCopies = 3;  // to the screen; each waits for the driver
+
+// The driver notices another size of the window with a frame that is swapped. A copy of a part that
+// it takes to be beyond the window's edges would end the program.
+constexpr int kSwapsAfterResize = 2;
 
 /// A function of GLX, or null; GLFW finds these by name as it does those of OpenGL.
 template <class Function>
@@ -35,11 +41,15 @@ Painter::Painter(const context::GlfwWindow& window, bool slow_gl) : window_(wind
 
 void Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, view::Rgb paper) {
   ImDrawData& data = *ImGui::GetDrawData();
+  const int width = static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x);
   const int height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);
   const bool new_fonts = scale_ != gui.scale() || density_ != gui.density();  // in the same texture
   scale_ = gui.scale();
   density_ = gui.density();
-  if (copy_box_ == nullptr || new_fonts) forget();
+  const std::array<float, 2> size{data.DisplaySize.x, data.DisplaySize.y};
+  if (size != size_) swaps_ = kSwapsAfterResize;
+  size_ = size;
+  if (copy_box_ == nullptr || new_fonts || swaps_ > 0) forget();
 
   std::vector<PixelBox> places;
   for (const Image& image : images) places.push_back(image.place);
@@ -59,7 +69,7 @@ void Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, vi
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   cut_to(data, boxes);
   gui.draw();
-  show(boxes, height);
+  show(boxes, width, height);
 }
 
 void Painter::clear(std::span<const PixelBox> boxes, std::span<const PixelBox> images, int height,
@@ -76,11 +86,16 @@ void Painter::clear(std::span<const PixelBox> boxes, std::span<const PixelBox> i
   glDisable(GL_SCISSOR_TEST);
 }
 
-void Painter::show(std::span<const PixelBox> boxes, int height) const {
-  if (copy_box_ == nullptr) {
+void Painter::show(std::span<const PixelBox> boxes, int width, int height) {
+  if (copy_box_ == nullptr || swaps_ > 0) {
+    swaps_ = std::max(swaps_ - 1, 0);
     glfwSwapBuffers(window_.handle());
     return;
   }
+  int width_now = 0, height_now = 0;
+  glfwGetFramebufferSize(window_.handle(), &width_now, &height_now);
+  if (width_now != width || height_now != height) return forget();  // its event is on the way
+  pass_over_errors_of_copies();
   for (const PixelBox& box : gathered(boxes, kMostCopies)) {
     copy_box_(display_, drawable_, box.left, height - box.bottom, box.width(), box.height());
   }

@@ -1,6 +1,7 @@
 // Paints frames into the window: of each, where the window can do so, only what it changes.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "app/context/glfw_window.h"
@@ -37,7 +38,7 @@ class Painter {
  private:
   void clear(std::span<const PixelBox> boxes, std::span<const PixelBox> images, int height,
              view::Rgb paper) const;
-  void show(std::span<const PixelBox> boxes, int height) const;
+  void show(std::span<const PixelBox> boxes, int width, int height);
 
   const context::GlfwWindow& window_;
   void (*copy_box_)(void* display, unsigned long drawable, int x, int y, int width,
@@ -45,6 +46,8 @@ class Painter {
   void* display_ = nullptr;
   unsigned long drawable_ = 0;
   Repaint repaint_;
+  std::array<float, 2> size_{};    // of the window in the last frame
+  int swaps_ = 0;                  // frames still to be swapped as a whole
   float scale_ = 0, density_ = 0;  // of the fonts that were painted
 };
 

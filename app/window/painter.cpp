@@ -39,7 +39,8 @@ void Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, vi
   const bool new_fonts = scale_ != gui.scale() || density_ != gui.density();  // in the same texture
   scale_ = gui.scale();
   density_ = gui.density();
-  if (copy_box_ == nullptr || new_fonts) forget();
+  follow_size();
+  if (copy_box_ == nullptr || new_fonts || unsettled()) forget();
 
   std::vector<PixelBox> places;
   for (const Image& image : images) places.push_back(image.place);
@@ -76,9 +77,22 @@ void Painter::clear(std::span<const PixelBox> boxes, std::span<const PixelBox> i
   glDisable(GL_SCISSOR_TEST);
 }
 
-void Painter::show(std::span<const PixelBox> boxes, int height) const {
-  if (copy_box_ == nullptr) {
+/// Only a whole frame tells the driver that the window has another size, and it takes the one after
+/// that to fill it. A box that lies outside of the driver's window ends the program.
+void Painter::follow_size() {
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window_.handle(), &width, &height);
+  if (width == width_ && height == height_) return;
+  width_ = width;
+  height_ = height;
+  whole_frames_ = 2;
+}
+
+void Painter::show(std::span<const PixelBox> boxes, int height) {
+  follow_size();
+  if (copy_box_ == nullptr || unsettled()) {
     glfwSwapBuffers(window_.handle());
+    whole_frames_ = std::max(whole_frames_ - 1, 0);
     return;
   }
   for (const PixelBox& box : gathered(boxes, kMostCopies)) {

@@ -31,13 +31,17 @@ class Painter {
   /// stores' pixels are not those of the last call.
   void paint(Gui& gui, std::span<const Image> images, bool new_images, view::Rgb paper);
 
+  /// Whether what was shown last must be painted again: the window had just got another size.
+  bool unsettled() const { return whole_frames_ > 0; }
+
   /// The window lost its pixels.
   void forget() { repaint_.forget(); }
 
  private:
   void clear(std::span<const PixelBox> boxes, std::span<const PixelBox> images, int height,
              view::Rgb paper) const;
-  void show(std::span<const PixelBox> boxes, int height) const;
+  void follow_size();
+  void show(std::span<const PixelBox> boxes, int height);
 
   const context::GlfwWindow& window_;
   void (*copy_box_)(void* display, unsigned long drawable, int x, int y, int width,
@@ -46,6 +50,8 @@ class Painter {
   unsigned long drawable_ = 0;
   Repaint repaint_;
   float scale_ = 0, density_ = 0;  // of the fonts that were painted
+  int width_ = 0, height_ = 0;     // of the window, pixels
+  int whole_frames_ = 0;           // that must still be shown before boxes can be
 };
 
 }  // namespace pupflow::window

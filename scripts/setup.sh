@@ -6,10 +6,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 build_packages=(g++ cmake ninja-build pkg-config
   libeigen3-dev libcli11-dev libtomlplusplus-dev libpng-dev libhdf5-dev libisal-dev zlib1g-dev libfreetype-dev fonts-dejavu-core
-  libegl-dev libgl-dev libglew-dev libglfw3-dev libgl1-mesa-dri libimgui-dev libstb-dev
+  libegl-dev libgl-dev libglew-dev libglfw3-dev libx11-dev libgl1-mesa-dri libimgui-dev libstb-dev
   gnuplot-nox
   python3-dev python3-numpy pybind11-dev)
-check_packages=(libgtest-dev libgmock-dev clang-format-14 xvfb xdotool libx11-dev imagemagick
+check_packages=(libgtest-dev libgmock-dev clang-format-14 xvfb xdotool imagemagick
   ffmpeg libopenmpi-dev openmpi-bin libbenchmark-dev libarmadillo-dev
   python3-brian python3-h5py python3-h5netcdf python3-matplotlib python3-xarray)
 lint_packages=(clang-tidy-14)

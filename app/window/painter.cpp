@@ -7,10 +7,16 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/window/x_errors.h"
+
 namespace pupflow::window {
 namespace {
 
 constexpr std::size_t kMostCopies = 3;  // to the screen; each waits for the driver
+
+// The driver notices another size of the window with a frame that is swapped. A copy of a part that
+// it takes to be beyond the window's edges would end the program.
+constexpr int kSwapsAfterResize = 2;
 
 /// A function of GLX, or null; GLFW finds these by name as it does those of OpenGL.
 template <class Function>
@@ -35,12 +41,15 @@ Painter::Painter(const context::GlfwWindow& window, bool slow_gl) : window_(wind
 
 void Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, view::Rgb paper) {
   ImDrawData& data = *ImGui::GetDrawData();
+  const int width = static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x);
   const int height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);
   const bool new_fonts = scale_ != gui.scale() || density_ != gui.density();  // in the same texture
   scale_ = gui.scale();
   density_ = gui.density();
-  follow_size();
-  if (copy_box_ == nullptr || new_fonts || unsettled()) forget();
+  const std::array<float, 2> size{data.DisplaySize.x, data.DisplaySize.y};
+  if (size != size_) swaps_ = kSwapsAfterResize;
+  size_ = size;
+  if (copy_box_ == nullptr || new_fonts || swaps_ > 0) forget();
 
   std::vector<PixelBox> places;
   for (const Image& image : images) places.push_back(image.place);
@@ -60,7 +69,7 @@ void Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, vi
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   cut_to(data, boxes);
   gui.draw();
-  show(boxes, height);
+  show(boxes, width, height);
 }
 
 void Painter::clear(std::span<const PixelBox> boxes, std::span<const PixelBox> images, int height,
@@ -77,24 +86,16 @@ void Painter::clear(std::span<const PixelBox> boxes, std::span<const PixelBox> i
   glDisable(GL_SCISSOR_TEST);
 }
 
-/// Only a whole frame tells the driver that the window has another size, and it takes the one after
-/// that to fill it. A box that lies outside of the driver's window ends the program.
-void Painter::follow_size() {
-  int width = 0, height = 0;
-  glfwGetFramebufferSize(window_.handle(), &width, &height);
-  if (width == width_ && height == height_) return;
-  width_ = width;
-  height_ = height;
-  whole_frames_ = 2;
-}
-
-void Painter::show(std::span<const PixelBox> boxes, int height) {
-  follow_size();
-  if (copy_box_ == nullptr || unsettled()) {
+void Painter::show(std::span<const PixelBox> boxes, int width, int height) {
+  if (copy_box_ == nullptr || swaps_ > 0) {
+    swaps_ = std::max(swaps_ - 1, 0);
     glfwSwapBuffers(window_.handle());
-    whole_frames_ = std::max(whole_frames_ - 1, 0);
     return;
   }
+  int width_now = 0, height_now = 0;
+  glfwGetFramebufferSize(window_.handle(), &width_now, &height_now);
+  if (width_now != width || height_now != height) return forget();  // its event is on the way
+  pass_over_errors_of_copies();
   for (const PixelBox& box : gathered(boxes, kMostCopies)) {
     copy_box_(display_, drawable_, box.left, height - box.bottom, box.width(), box.height());
   }

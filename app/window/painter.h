@@ -1,6 +1,7 @@
 // Paints frames into the window: of each, where the window can do so, only what it changes.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "app/context/glfw_window.h"
@@ -32,7 +33,7 @@ class Painter {
   void paint(Gui& gui, std::span<const Image> images, bool new_images, view::Rgb paper);
 
   /// Whether what was shown last must be painted again: the window had just got another size.
-  bool unsettled() const { return whole_frames_ > 0; }
+  bool unsettled() const { return copy_box_ != nullptr && swaps_ > 0; }
 
   /// The window lost its pixels.
   void forget() { repaint_.forget(); }
@@ -40,8 +41,7 @@ class Painter {
  private:
   void clear(std::span<const PixelBox> boxes, std::span<const PixelBox> images, int height,
              view::Rgb paper) const;
-  void follow_size();
-  void show(std::span<const PixelBox> boxes, int height);
+  void show(std::span<const PixelBox> boxes, int width, int height);
 
   const context::GlfwWindow& window_;
   void (*copy_box_)(void* display, unsigned long drawable, int x, int y, int width,
@@ -49,9 +49,9 @@ class Painter {
   void* display_ = nullptr;
   unsigned long drawable_ = 0;
   Repaint repaint_;
+  std::array<float, 2> size_{};    // of the window in the last frame
+  int swaps_ = 0;                  // frames still to be swapped as a whole
   float scale_ = 0, density_ = 0;  // of the fonts that were painted
-  int width_ = 0, height_ = 0;     // of the window, pixels
-  int whole_frames_ = 0;           // that must still be shown before boxes can be
 };
 
 }  // namespace pupflow::window

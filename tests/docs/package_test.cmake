@@ -18,6 +18,7 @@ file(GLOB headers RELATIVE ${SOURCE}/engine/include ${SOURCE}/engine/include/pup
 file(GLOB_RECURSE installed RELATIVE ${WORK}/prefix ${WORK}/prefix/*)
 list(FILTER installed EXCLUDE REGEX "/cmake/pupflow/pupflow[A-Za-z-]*\\.cmake$")
 list(FILTER installed EXCLUDE REGEX "/libpupflow_engine\\.a$")
+list(FILTER installed EXCLUDE REGEX "/pkgconfig/pupflow\\.pc$")
 list(TRANSFORM installed REPLACE "^include/" "")
 list(SORT headers)
 list(SORT installed)
@@ -54,3 +55,13 @@ run(${WORK}/build/warm_or_cold)
 if(NOT output MATCHES "T_a = 0.2: huddling 0")
   message(FATAL_ERROR "the example printed:\n${output}")
 endif()
+
+# The same by pkg-config.
+file(GLOB_RECURSE pc ${WORK}/prefix/*/pupflow.pc)
+get_filename_component(pc_folder ${pc} DIRECTORY)
+execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pc_folder}
+  pkg-config --cflags --libs pupflow OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE
+  COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(flags UNIX_COMMAND "${flags}")
+separate_arguments(own UNIX_COMMAND "${FLAGS}")
+run(${COMPILER} -std=c++20 ${own} ${EXAMPLE}/warm_or_cold.cpp -o ${WORK}/by_pkg_config ${flags})

@@ -286,7 +286,8 @@ std::map<Action, LiveKeys::Expectation> LiveKeys::expectations() {
 
 TEST_F(LiveKeys, EveryKeyOfTheTableDoesWhatItsRowSays) {
   const auto expected = expectations();
-  open({"--paused", "--set", "pups=2", "--set", "face_points=5"});
+  open({"--paused", "--set", "pups=2", "--set", "face_points=5"},
+       {"XDG_CONFIG_HOME=" + scratch_.path("settings")});
   for (const KeyRow& row : key_table()) {
     const auto expectation = expected.find(row.action);
     if (expectation == expected.end()) {

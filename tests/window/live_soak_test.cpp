@@ -103,7 +103,8 @@ TEST_F(LiveSoak, RandomClicksAndKeysLoseNothing) {
   SCOPED_TRACE("PUPFLOW_SOAK_SEED=" + std::to_string(seed));
   random_.seed(seed);
   open({"--size", std::to_string(kWidth) + 'x' + std::to_string(kHeight), "--out", "soak-%d.png",
-        "--set", "face_points=5"});
+        "--set", "face_points=5"},
+       {"XDG_CONFIG_HOME=" + scratch_.path("settings")});
   long most = 0;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   while (Clock::now() < end && !HasFailure()) {

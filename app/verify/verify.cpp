@@ -17,6 +17,12 @@ bool has_column(const std::vector<std::string>& columns, const char* name) {
 }
 
 Verdict verify_csv(const std::string& path, const Options& options) {
+  const io::TextEntries entries = io::entries_of_file(path);
+  if (const std::string* command = find_entry(entries, "command"); command && *command == "live") {
+    io::refuse(path +
+               ": holds the plots of the live window, which join steps, so it cannot be repeated; "
+               "save the scene and `pupflow run` it");
+  }
   const std::vector<std::string> columns = io::CsvReader(path).columns();
   if (has_column(columns, "status")) return verify_runs(path, options);
   if (columns == io::metrics_columns()) return verify_metrics(path, options);

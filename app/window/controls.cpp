@@ -32,21 +32,19 @@ void Controls::refuse(std::string_view field, std::string reason) {
 
 void Controls::follow(const LiveState& state) {
   const Params& in_force = state.view().params;
+  if (state.refusals != refusals) params = in_force;
+  refusals = state.refusals;
   for (const Parameter& parameter : parameters()) {
     const double now = parameter.get(in_force);
     if (now != parameter.get(seen)) parameter.set(params, now);
   }
   seen = in_force;
-  const auto arrived = [&] {
-    return state.playing || *going_to == state.view().step || *going_to < state.timeline.first ||
-           *going_to > state.timeline.last;
-  };
-  if (going_to && arrived()) going_to.reset();
+  if (state.gone_to == goings) going_to.reset();
 }
 
 void Controls::go_to(std::int64_t step, const Timeline& timeline) {
   going_to = std::clamp(step, timeline.first, timeline.last);
-  commands.push_back(GoTo{*going_to});
+  commands.push_back(GoTo{*going_to, ++goings});
 }
 
 std::int64_t Controls::shown_step(const LiveState& state) const {

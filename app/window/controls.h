@@ -26,11 +26,12 @@ struct StepRange {
 
 /// The window's own state beside the simulation's, and what was asked for since the last frame.
 struct Controls {
-  Params params;         // the window's copy: always sound, sent whole with every edit
-  Params seen;           // those of the last snapshot
-  Params scene;          // what the run was opened with
-  double speed = 1;      // times real time, unless
-  bool as_fast = false;  // as fast as possible
+  Params params;              // the window's copy: always sound, sent whole with every edit
+  Params seen;                // those of the last snapshot
+  std::int64_t refusals = 0;  // of edits, by the last snapshot
+  Params scene;               // what the run was opened with
+  double speed = 1;           // times real time, unless
+  bool as_fast = false;       // as fast as possible
   pictures::Look look;
   std::optional<int> selected;                // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
@@ -44,7 +45,8 @@ struct Controls {
   std::vector<std::string> recent;       // files, the last one first
   std::string open;                      // a shipped scene or a file to open now; empty: none
   bool pause_minimised = false;          // a minimised window takes no steps
-  std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is shown
+  std::optional<std::int64_t> going_to;  // the step that GoTo asked for, until it is reached
+  std::int64_t goings = 0;               // times that GoTo was asked for
   std::string problem;                   // why the last value was not taken; empty when it was
   std::string problem_at;                // the parameter or field that it is about
 

@@ -91,6 +91,7 @@ void LiveWindow::label_arenas(const ArenaAreas& areas) const {
 
 void LiveWindow::paint(const DrawnArenas& drawn) {
   painter_.paint(*gui_, drawn.images, drawn.anew, gl::Palette{}.background);
+  if (painter_.unsettled()) schedule_.panels_changed();
   events_.camera(arena_.camera());
   events_.frame(drawn.samples);
 }

@@ -29,11 +29,15 @@ std::string folder_of(const std::string& path) {
 
 /// Whether there is something to lose: edits, also those on their way to the runner.
 bool LiveWindow::changed() const {
+  return desk_.changed(runner_.snapshot().view().recipe) || edits_on_their_way();
+}
+
+/// Whether the runner has not yet taken all that was set.
+bool LiveWindow::edits_on_their_way() const {
   const LitterView litter = runner_.snapshot().view();
-  const auto same = [&](const Parameter& parameter) {
+  return !std::ranges::all_of(parameters(), [&](const Parameter& parameter) {
     return parameter.get(controls_.params) == parameter.get(litter.params);
-  };
-  return desk_.changed(litter.recipe) || !std::ranges::all_of(parameters(), same);
+  });
 }
 
 /// Within a frame, behind the panels.
@@ -138,6 +142,8 @@ void LiveWindow::ask_for_name() {
 bool LiveWindow::save_as(const std::string& path) {
   const LitterView litter = runner_.snapshot().view();
   try {
+    if (edits_on_their_way())
+      io::refuse("not saved: the last edit is not yet in force; save again");
     const std::string saved = desk_.save(path, litter.recipe, litter.step);
     settings_.remember(saved);
     events_.note("saved", saved);

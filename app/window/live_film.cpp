@@ -30,7 +30,8 @@ void LiveWindow::film_snapshot() {
   if (!film_) return;
   const LiveState& state = runner_.snapshot();
   const std::int64_t step = state.view().step;
-  if (state.playing || !film_->due(step)) return;
+  const bool bad = !state.status.ok();  // the step of the next frame will not come
+  if (state.playing || (!bad && !film_->due(step))) return;
   try {
     film_->add(arena_.picture(film_->picture(), state), step);
     controls_.filmed = film_->seconds();
@@ -40,7 +41,7 @@ void LiveWindow::film_snapshot() {
     show(failure.what());
     return;
   }
-  if (!state.status.ok()) {
+  if (bad) {
     end_film();
   } else if (!film_holds_) {
     runner_.send(Advance{film_->every()});

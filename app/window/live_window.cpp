@@ -104,8 +104,6 @@ void LiveWindow::exchange_snapshots(double now) {
     const LiveState& snapshot = runner_.snapshot();
     schedule_.snapshot_arrived(now);
     events_.snapshot(snapshot);
-    const LitterView litter = snapshot.view();
-    if (!snapshot.rejected.empty()) controls_.params = litter.params;
     controls_.follow(snapshot);
     film_snapshot();
   }

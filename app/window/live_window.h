@@ -95,6 +95,7 @@ class LiveWindow {
 
   // live_desk.cpp: scenes, settings, closing.
   bool changed() const;
+  bool edits_on_their_way() const;
   void desk_frame(const PanelInput& input);
   void desk_action(Action action);
   void ask_before(const std::string& what, std::function<void()> next);

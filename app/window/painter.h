@@ -32,6 +32,9 @@ class Painter {
   /// stores' pixels are not those of the last call.
   void paint(Gui& gui, std::span<const Image> images, bool new_images, view::Rgb paper);
 
+  /// Whether what was shown last must be painted again: the window had just got another size.
+  bool unsettled() const { return copy_box_ != nullptr && swaps_ > 0; }
+
   /// The window lost its pixels.
   void forget() { repaint_.forget(); }
 

@@ -58,6 +58,12 @@ void take_hdf5(const std::string& path, Opened& opened) {
 }
 
 void take_file(const std::string& path, Opened& opened) {
+  // A pipe may have the window wait for ever. What cannot be found, reading says.
+  std::error_code unknown;
+  const fs::file_status status = fs::status(path, unknown);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    throw io::Failure(io::ExitCode::bad_file, path + ": is no file that can be opened");
+  }
   if (path.ends_with(kEnding)) return take_scene(path, opened);
   if (io::file_kind(path) == io::FileKind::hdf5) return take_hdf5(path, opened);
   opened.params = io::params_of_file(path);

@@ -172,6 +172,9 @@ Settings read_settings(const std::string& path, std::string& problem) {
   std::error_code error;
   if (path.empty() || !fs::exists(fs::symlink_status(path, error))) return {};
   try {
+    if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {  // a pipe has no end
+      throw io::Failure(io::ExitCode::bad_file, path + ": is no file with settings");
+    }
     const std::string text = io::read_beginning(path, kLargestFile + 1);
     if (text.size() > kLargestFile) {
       throw io::Failure(io::ExitCode::bad_file, path + ": is too large for settings");

@@ -118,6 +118,14 @@ TEST_F(CliRecipe, VerifyNamesTheFirstDifference) {
   EXPECT_THAT(pupflow({"verify", "change.csv"}).out, HasSubstr("differs (step 25: mean_tb is"));
 }
 
+TEST_F(CliRecipe, VerifySaysWhyAWindowsCsvCannotBeRepeated) {
+  run({"--steps", "20", "--csv", "m.csv"});
+  spoilt("m.csv", "live.csv", "# seed = 1\n", "# seed = 1\n# command = live\n");
+  const test::Outcome verdict = pupflow({"verify", "live.csv"});
+  EXPECT_EQ(verdict.code, 2);
+  EXPECT_THAT(verdict.err, HasSubstr("plots of the live window"));
+}
+
 /// Sets one number of a two-dimensional data set.
 void set_number(hid_t file, const char* name, hsize_t row, hsize_t column, double value) {
   const io::Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);

@@ -93,16 +93,30 @@ TEST(Controls, GoesToStepsOfTheRunOnlyAndRemembersWhichUntilItIsShown) {
   EXPECT_EQ(std::get<GoTo>(controls.commands.back()).step, 499) << "from where it is going";
   controls.follow(state);
   EXPECT_EQ(controls.shown_step(state), 499) << "not there yet";
+  controls.commands.push_back(Advance{1});
+  state.gone_to = 1;
+  controls.follow(state);
+  EXPECT_EQ(controls.shown_step(state), 499) << "that was the first one";
+  state.gone_to = 2;
   Simulation simulation(Params{});
   simulation.run(2);
   state.litter.take(simulation, false);
-  controls.go_to(2, state.timeline);
   controls.follow(state);
-  EXPECT_FALSE(controls.going_to) << "there";
-  controls.go_to(400, state.timeline);
-  state.playing = true;
+  EXPECT_EQ(controls.shown_step(state), 2) << "it was there and has gone on since";
+}
+
+TEST(Controls, ARefusedEditIsTakenBackOnceAndLaterOnesStay) {
+  Controls controls;
+  LiveState state;
+  state.litter.take(Simulation(Params{}), false);
+  controls.propose(*find_parameter("pups"), 20);
+  state.refusals = 1;
+  state.rejected = "no room";
   controls.follow(state);
-  EXPECT_FALSE(controls.going_to) << "playing on";
+  EXPECT_EQ(controls.params, Params{});
+  controls.propose(*find_parameter("alpha"), 0.5);  // on its way
+  controls.follow(state);
+  EXPECT_EQ(controls.params.rigidity, 0.5);
 }
 
 TEST(Controls, AnotherFieldHasTheScaleOfItsKind) {

@@ -209,6 +209,17 @@ TEST_F(Live, AfterAResizeTheArenaIsFramedAnew) {
   EXPECT_GT(high, low) << "the higher a picture, the further away an arena that fills its width";
 }
 
+TEST_F(Live, StandsWhenTheWindowGrowsAndShrinks) {
+  open({"--paused", "--size", "700x500"});
+  int step = 0;
+  for (const auto& [width, height] : {std::pair{"1400", "950"}, {"600", "400"}, {"900", "900"}}) {
+    screen_.hand({"search", "--onlyvisible", "--name", "pupflow", "windowsize", width, height});
+    settle();
+    screen_.press("Right");
+    EXPECT_EQ(await("step "), std::to_string(++step)) << window_->errors();
+  }
+}
+
 TEST_F(Live, AMinimisedWindowGoesOnSteppingUnlessToldNotTo) {
   open({"--set", "pups=2"});
   const auto steps_while_away = [&] {

@@ -1,6 +1,7 @@
 #include "app/window/scene_desk.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -76,6 +77,15 @@ TEST(SceneDesk, SaysInOneLineWhatIsWrong) {
   EXPECT_THAT(refusal(scratch.path("none.toml")), HasSubstr("none.toml: cannot read"));
   EXPECT_THAT(refusal(scratch.file("c.png", "no picture")), HasSubstr("c.png"));
   EXPECT_THAT(refusal(scratch.folder().string()), HasSubstr(scratch.folder().string()));
+}
+
+TEST(SceneDesk, DoesNotWaitForWhatHasNoEnd) {
+  const test::Scratch scratch;
+  for (const std::string name : {"pipe.toml", "pipe.h5"}) {
+    ASSERT_EQ(::mkfifo(scratch.path(name).c_str(), 0600), 0);
+    EXPECT_THAT(refusal(scratch.path(name)), HasSubstr("is no file"));
+  }
+  EXPECT_THAT(refusal("/dev/zero"), HasSubstr("is no file"));
 }
 
 TEST(SceneDesk, KnowsWhatChangedSinceItWasSaved) {

@@ -1,6 +1,7 @@
 #include "app/window/settings.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -117,6 +118,10 @@ TEST(Settings, ABrokenFileIsSetAsideWithOneLine) {
   std::string problem;
   EXPECT_EQ(read_settings(large, problem), Settings{});
   EXPECT_THAT(problem, HasSubstr("too large"));
+  const std::string pipe = scratch.path("pipe.toml");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(read_settings(pipe, problem), Settings{});
+  EXPECT_THAT(problem, HasSubstr("is no file with settings"));
 }
 
 TEST(Settings, WhatCannotBeWrittenIsSaidInOneLine) {

@@ -83,6 +83,7 @@ void Session::carry_out(const Command& command) {
           suspended_ = asked.on;
         } else if constexpr (std::is_same_v<Asked, GoTo>) {
           stop();
+          gone_to_ = asked.number;
           go_to(std::clamp(asked.step, first_.run().first(), first_.run().last));
         } else if constexpr (std::is_same_v<Asked, SwapFuture>) {
           swap_futures();
@@ -111,9 +112,11 @@ void Session::open(const Open& asked) {
     first_ = std::move(opened);
   } catch (const std::bad_alloc&) {
     rejected_ = "not enough memory for that litter; the one before is still there";
-    return;
   } catch (const std::invalid_argument& problem) {
     rejected_ = problem.what();
+  }
+  if (!rejected_.empty()) {
+    ++refusals_;
     return;
   }
   second_.reset();
@@ -220,6 +223,8 @@ void Session::fill(LiveState& state, bool with_hash) {
   state.playing = playing_;
   state.speed = speed_;
   state.rejected = rejected_;
+  state.refusals = refusals_;
+  state.gone_to = gone_to_;
   state.hash.reset();
   if (with_hash) state.hash = first_.simulation().hash();
 }

@@ -55,6 +55,7 @@ struct Suspend {  // no steps until further notice
 };
 struct GoTo {  // pause at that step of the run, in exactly the state that it had
   std::int64_t step;
+  std::int64_t number = 0;  // LiveState says which was carried out last
 };
 struct SwapFuture {};  // go back to the future that an edit in the past left behind; and back again
 struct RampTo {        // change a parameter of Effect::next_step evenly from now on
@@ -96,6 +97,8 @@ struct LiveState : LitterState {
   double steps_per_second = 0;       // as measured; 0 while at rest
   double microseconds_per_step = 0;  // as measured
   std::string rejected;              // why the last edit was not taken; empty when it was
+  std::int64_t refusals = 0;         // edits and openings that were not taken, of all so far
+  std::int64_t gone_to = 0;          // the number of the last GoTo
   std::optional<std::uint64_t> hash;
 };
 
@@ -193,6 +196,7 @@ class Session {
   std::int64_t pending_ = 0;  // steps still to be made by Advance
   double speed_ = 1;
   std::string rejected_;
+  std::int64_t refusals_ = 0, gone_to_ = 0;
   std::deque<Command> waiting_;  // for the step that is gone to
 };
 

@@ -91,7 +91,10 @@ void Session::edit(const Edit& asked) {
   const bool restarts = std::any_of(values.begin(), values.end(), defines_the_litter);
   if (!restarts && back_from_bad(asked)) return;
   const std::shared_ptr<const Snapshot> from = restarts ? first_.run().from : nullptr;
-  if (!take(values)) return;
+  if (!take(values)) {
+    ++refusals_;
+    return;
+  }
   const bool joins = log_.add({values, {}, from}, asked.continues);
   if (!restarts) mark_edit(log_.last().values, joins);
 }

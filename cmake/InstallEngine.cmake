@@ -13,6 +13,7 @@ configure_package_config_file(cmake/pupflowConfig.cmake.in pupflowConfig.cmake
   INSTALL_DESTINATION ${package_folder})
 # Before 1.0 a minor version may break what uses it.
 write_basic_package_version_file(pupflowConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(cmake/pupflow.pc.in pupflow.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/pupflow.pc
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT engine)

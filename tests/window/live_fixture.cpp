@@ -42,8 +42,12 @@ std::string Live::await(const std::string& start) {
 }
 
 std::vector<std::string> Live::settle(std::chrono::milliseconds quiet) {
+  constexpr std::chrono::seconds kLongest{10};  // a window that plays is never quiet for long
+  const auto end = std::chrono::steady_clock::now() + kLongest;
   std::vector<std::string> lines;
-  while (const auto line = window_->read_line(quiet)) {
+  while (std::chrono::steady_clock::now() < end) {
+    const auto line = window_->read_line(quiet);
+    if (!line) break;
     remember(*line);
     lines.push_back(*line);
   }

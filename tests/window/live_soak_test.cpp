@@ -97,8 +97,7 @@ class LiveSoak : public Live {
 };
 
 TEST_F(LiveSoak, RandomClicksAndKeysLoseNothing) {
-  const auto seed =
-      static_cast<unsigned>(number_of("PUPFLOW_SOAK_SEED", std::random_device{}() % 1'000'000u));
+  const auto seed = static_cast<unsigned>(number_of("PUPFLOW_SOAK_SEED", 7));
   const double seconds = number_of("PUPFLOW_SOAK_SECONDS", kSeconds);
   SCOPED_TRACE("PUPFLOW_SOAK_SEED=" + std::to_string(seed));
   random_.seed(seed);

@@ -1,46 +1,12 @@
 // Two litters beside each other.
 #include <gmock/gmock.h>
 
-#include "app/window/session/session.h"
+#include "tests/window/session_words.h"
 
 namespace pupflow::window {
 namespace {
 
 using testing::HasSubstr;
-
-Params small_litter() {
-  Params params;
-  params.pups = 3;
-  params.face_points = 3;
-  params.seed = 11;
-  return params;
-}
-
-std::size_t place(std::string_view name) {
-  return static_cast<std::size_t>(find_parameter(name) - parameters().data());
-}
-
-LiveState look_at(Session& session) {
-  LiveState state;
-  session.fill(state, true);
-  return state;
-}
-
-void play(Session& session, int steps) {
-  for (int i = 0; i < steps; ++i) session.step();
-}
-
-void have(Session& session, const Command& command) {
-  session.apply(command);
-  while (session.hurried()) session.step();
-}
-
-void set(Session& session, std::string_view name, double value) {
-  const Params before = session.params();
-  Params params = before;
-  find_parameter(name)->set(params, value);
-  have(session, Edit{params, before});
-}
 
 void compare(Session& session, std::string_view name, double value, bool from_now = false) {
   Params with = session.params();

@@ -200,9 +200,6 @@ TEST_F(LiveDesk, WithoutAPlaceForSettingsTheWindowWorksOn) {
 }
 
 TEST_F(LiveDesk, AFilmHasEveryFrameAndTheSimulationWaitsForThem) {
-  if (run_command({.arguments = {"ffmpeg", "-version"}, .environment = {}, .folder = {}}) != 0) {
-    GTEST_SKIP() << "ffmpeg is not installed";
-  }
   open({"--paused", "--seed", "2"});
   screen_.press("v");
   await("step 12");  // four steps of 0.01 s between two of 25 frames a second: 4, 8, 12

@@ -5,16 +5,10 @@
 
 #include <cmath>
 
-#include "app/window/session/session.h"
+#include "tests/window/session_words.h"
 
 namespace pupflow::window {
 namespace {
-
-LiveState look_at(Session& session) {
-  LiveState state;
-  session.fill(state, true);
-  return state;
-}
 
 double distance(Session& session, int pup, const std::array<double, 3>& target) {
   const Eigen::Vector3d centre = look_at(session).view().positions.mean(pup);

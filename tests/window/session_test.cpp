@@ -2,31 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/window/session_words.h"
+
 namespace pupflow::window {
 namespace {
-
-Params small_litter() {
-  Params params;
-  params.pups = 3;
-  params.face_points = 3;
-  params.seed = 11;
-  return params;
-}
-
-/// Heat by forward Euler far outside its region: the status turns bad within some steps.
-Params runaway() {
-  Params params;
-  params.pups = 2;
-  params.heat = HeatRule::euler;
-  params.air_conductance = 500;
-  return params;
-}
-
-LiveState look_at(Session& session) {
-  LiveState snapshot;
-  session.fill(snapshot, true);
-  return snapshot;
-}
 
 void step_until_bad(Session& session) {
   for (int i = 0; i < 5000 && session.running(); ++i) session.step();

@@ -156,17 +156,17 @@ class Variable {
 };
 
 TEST(Settings, LieWhereThePlatformKeepsThem) {
-  const Variable home("HOME", "/home/a");
+  const Variable home("HOME", "/nowhere");
   {
     const Variable config("XDG_CONFIG_HOME", "/c");
     EXPECT_EQ(settings_path(), "/c/pupflow/settings.toml");
   }
   {
     const Variable config("XDG_CONFIG_HOME", "not/whole");
-    EXPECT_EQ(settings_path(), "/home/a/.config/pupflow/settings.toml");
+    EXPECT_EQ(settings_path(), "/nowhere/.config/pupflow/settings.toml");
   }
   const Variable config("XDG_CONFIG_HOME", nullptr);
-  EXPECT_EQ(settings_path(), "/home/a/.config/pupflow/settings.toml");
+  EXPECT_EQ(settings_path(), "/nowhere/.config/pupflow/settings.toml");
   const Variable nowhere("HOME", nullptr);
   EXPECT_EQ(settings_path(), "");
 }

@@ -2,64 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <optional>
-#include <vector>
 
 #include "app/io/failure.h"
-#include "pupflow/simulation.h"
-#include "tests/pictures/color_vision.h"
-#include "tests/pictures/gl_test.h"
+#include "tests/pictures/renderer_scenes.h"
 
 namespace pupflow::gl {
 namespace {
-
-using Vector = Eigen::Vector3d;
-using view::Camera;
-using view::Rgb;
-
-constexpr double kDegrees = std::numbers::pi / 180;
-const view::ColorScale kJet("jet", 0, 1);  // pure blue at 0, pure red at 1: shading keeps the hue
-
-using RendererTest = GlTest;
-
-/// A litter in which every point of a pup sits at one place: each pup is one sphere.
-Simulation spheres(const std::vector<Vector>& centres, double radius) {
-  Params params;
-  params.pups = static_cast<int>(centres.size());
-  params.face_points = 2;
-  params.point_radius = radius;
-  Simulation simulation(params);
-  for (int pup = 0; pup < simulation.pups(); ++pup) {
-    std::vector<double> cloud;
-    for (int i = 0; i < simulation.points(); ++i) {
-      const Vector& c = centres[static_cast<std::size_t>(pup)];
-      cloud.insert(cloud.end(), {c.x(), c.y(), c.z()});
-    }
-    simulation.set_cloud(pup, cloud, std::vector<double>(cloud.size(), 0.0));
-    simulation.set_body_temperature(pup, pup % 2 == 0 ? 0.0 : 1.0);
-  }
-  return simulation;
-}
-
-constexpr view::Drawing kPoints{.draw = view::Draw::points, .quality = view::Quality::fast};
-constexpr view::Drawing kAllPoints{
-    .draw = view::Draw::points, .quality = view::Quality::fast, .culling = view::Culling::none};
-
-io::Image take_picture(const Simulation& simulation, const view::ColorScale& scale,
-                       const Camera& camera, int width, int height, int supersample,
-                       view::Drawing drawing = kPoints) {
-  view::DrawList list;
-  drawing.rows = height * supersample;
-  list.update(simulation, scale, camera, drawing);
-  Renderer renderer;
-  renderer.upload(list);
-  return renderer.picture(camera, width, height, supersample);
-}
 
 /// Which sphere a pixel shows: 0 blue, 1 red, -1 neither.
 int sphere_in(Rgb color) {
@@ -401,153 +351,6 @@ TEST_F(RendererTest, UploadReplacesWhatWasThere) {
   EXPECT_EQ(sphere_in(color_at(image, 26, 50)), 0);
   EXPECT_EQ(sphere_in(color_at(image, 50, 50)), -1);
   EXPECT_EQ(sphere_in(color_at(image, 74, 50)), -1);
-}
-
-TEST_F(RendererTest, LitTopsHaveTheColorOfTheBar) {
-  Params params;
-  params.pups = 1;
-  params.start_spread = 0;
-  const Simulation simulation(params);
-  const Vector centre = simulation.view().positions.mean(0);
-  Camera camera = Camera::parse("orbit:100,60,6");  // from where the lamp is
-  camera.look_at(centre);
-  const view::ColorScale scale;
-  const Rgb bar = scale(simulation.view().tb[0]);
-  for (const view::Draw draw : {view::Draw::skin, view::Draw::both, view::Draw::points}) {
-    const io::Image image = take_picture(simulation, scale, camera, 401, 401, 1, {.draw = draw});
-    const double radius = 0.3 / camera.half_height() * 200.5;  // pixels
-    int top = 0, away = 0;
-    for (int y = 0; y < 401; ++y) {
-      for (int x = 0; x < 401; ++x) {
-        const double r = std::hypot(x - 200, y - 200) / radius;
-        if (r > std::sin(33 * kDegrees)) continue;
-        ++top;
-        away += test::difference(color_at(image, x, y), bar) > 3;
-      }
-    }
-    EXPECT_GT(top, 500);
-    // Between the points their spheres turn away from the eye.
-    EXPECT_LE(away, draw == view::Draw::skin ? 0 : top / 3);
-  }
-}
-
-TEST_F(RendererTest, LitTopsInAHuddleHaveTheColorOfTheBar) {
-  Params params;
-  params.ambient_temperature = 0.2;
-  Simulation simulation(params);
-  ASSERT_TRUE(simulation.run(800).ok());
-  view::ColorScale scale("viridis", 0.2, 0.6);
-  Camera camera = Camera::parse("orbit:100,60");
-  camera.frame(2, 0.6, 1);
-  const io::Image image = take_picture(simulation, scale, camera, 800, 800, 1, {});
-  int right = 0;
-  for (int pup = 0; pup < simulation.pups(); ++pup) {
-    const Vector pole = simulation.view().positions.mean(pup) + 0.3 * camera.backward();
-    const Vector away = pole - camera.eye();
-    const double depth = -away.dot(camera.backward());
-    const double pixel = 400 / (depth * std::tan(15 * kDegrees));
-    const int x = static_cast<int>(400 + pixel * away.dot(camera.right()));
-    const int y = static_cast<int>(400 - pixel * away.dot(camera.up()));
-    const Rgb bar = scale(simulation.view().tb[static_cast<std::size_t>(pup)]);
-    right += test::difference(color_at(image, x, y), bar) < 3;
-  }
-  EXPECT_GE(right, 8);  // of 12: others are beside or below another
-}
-
-TEST_F(RendererTest, SurfacesShowNoFishScales) {
-  // Along a pup's outline from top to side the light falls off evenly.
-  Params params;
-  params.pups = 1;
-  params.start_spread = 0;
-  const Simulation simulation(params);
-  Camera camera = Camera::parse("orbit:10,30,3");
-  camera.look_at(simulation.view().positions.mean(0));
-  const auto roughness = [&](view::Draw draw) {
-    const io::Image image = take_picture(simulation, kJet, camera, 400, 400, 1, {.draw = draw});
-    int sum = 0;
-    for (int y = 130; y < 270; ++y) {
-      const int before = image.pixel(200, y - 1)[0], now = image.pixel(200, y)[0],
-                after = image.pixel(200, y + 1)[0];
-      sum += std::abs(after - 2 * now + before);
-    }
-    return sum;
-  };
-  EXPECT_LT(roughness(view::Draw::skin), 60);
-  EXPECT_LT(roughness(view::Draw::skin), roughness(view::Draw::points));
-}
-
-TEST_F(RendererTest, BodiesShadeTheFloorUnlessFast) {
-  Params params;
-  params.pups = 1;
-  params.start_spread = 0;
-  const Simulation simulation(params);
-  const Vector centre = simulation.view().positions.mean(0);
-  Camera camera = Camera::parse("top");
-  camera.frame(2, 0.6, 1);
-  const auto beside = [&](view::Quality quality) {
-    const io::Image image =
-        take_picture(simulation, kJet, camera, 400, 400, 1, {.quality = quality});
-    const double unit = 200 / camera.half_height();
-    const Vector place = centre - Vector(0, 0.4, 0);  // away from the lamp
-    return color_at(image, static_cast<int>(200 + unit * place.x()),
-                    static_cast<int>(200 - unit * place.y()));
-  };
-  EXPECT_LT(beside(view::Quality::normal).g, 0.9 * Palette{}.floor.g);
-  EXPECT_GT(beside(view::Quality::fast).g, 0.92 * Palette{}.floor.g);
-}
-
-TEST_F(RendererTest, FromBelowTheFloorIsOpaque) {
-  Params params;
-  params.pups = 1;
-  params.start_spread = 0;
-  const Simulation simulation(params);
-  Camera camera = Camera::parse("orbit:30,-50");
-  camera.frame(2, 0.6, 1);
-  const io::Image image = take_picture(simulation, kJet, camera, 200, 200, 1, {});
-  EXPECT_EQ(color_at(image, 100, 100), Palette{}.slab);
-}
-
-double squared_error(const io::Image& a, const io::Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::pow(a.rgba[i] - b.rgba[i], 2);
-  return sum / static_cast<double>(a.rgba.size());
-}
-
-TEST_F(RendererTest, SoftEdgesComeNearManySamples) {
-  Params params;
-  params.pups = 3;
-  params.start = Start::carpet;
-  const Simulation simulation(params);
-  Camera camera = Camera::parse("orbit:30,35");
-  camera.frame(2, 0.6, 1.25);
-  for (const view::Draw draw : {view::Draw::skin, view::Draw::points}) {
-    const view::Drawing drawing{.draw = draw};
-    const io::Image many = take_picture(simulation, kJet, camera, 400, 320, 8, drawing);
-    const io::Image one = take_picture(simulation, kJet, camera, 400, 320, 1, drawing);
-    // Hard edges: every other sample of twice the size.
-    const io::Image twice = take_picture(simulation, kJet, camera, 800, 640, 1, drawing);
-    io::Image hard(400, 320);
-    for (int y = 0; y < 320; ++y) {
-      for (int x = 0; x < 400; ++x) {
-        std::copy_n(twice.pixel(2 * x, 2 * y), 4, hard.pixel(x, y));
-      }
-    }
-    EXPECT_LT(squared_error(one, many), 0.5 * squared_error(hard, many)) << name_of(draw);
-  }
-}
-
-TEST_F(RendererTest, WithoutPaperTheBackgroundIsTransparent) {
-  Camera camera = Camera::parse("orbit:30,35");
-  camera.frame(2, 0.6, 1);
-  view::DrawList list;
-  list.update(Simulation(Params()), kJet, camera, {.rows = 200});
-  Renderer renderer;
-  renderer.upload(list);
-  Palette palette;
-  palette.transparent = true;
-  const io::Image image = renderer.picture(camera, 200, 200, 1, palette);
-  EXPECT_EQ(image.pixel(1, 1)[3], 0);
-  EXPECT_EQ(image.pixel(100, 110)[3], 255);
 }
 
 TEST_F(RendererTest, RefusesAPictureLargerThanTheDriverAllows) {

@@ -17,6 +17,8 @@ function(pupflow_target target)
     target_compile_options(${target} PRIVATE -fstack-protector-strong
       $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE> $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=2>)
   endif()
+  # The engine's symbols are visible for the shared library alone: what holds a copy keeps it to itself.
+  target_link_options(${target} PRIVATE $<$<PLATFORM_ID:Linux>:-Wl,--exclude-libs,libpupflow.a>)
   # Linkage tables are filled at the start and read-only from then on.
   target_link_options(${target} PRIVATE $<$<PLATFORM_ID:Linux>:-Wl,-z,relro,-z,now>)
 endfunction()

@@ -13,11 +13,11 @@ endfunction()
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --component engine --config ${CONFIG} --prefix ${WORK}/prefix)
 
-# The public headers, one archive and the package's files; nothing else of the engine.
+# The public headers, the library and the package's files; nothing else of the engine.
 file(GLOB headers RELATIVE ${SOURCE}/engine/include ${SOURCE}/engine/include/pupflow/*.h)
 file(GLOB_RECURSE installed RELATIVE ${WORK}/prefix ${WORK}/prefix/*)
 list(FILTER installed EXCLUDE REGEX "/cmake/pupflow/pupflow[A-Za-z-]*\\.cmake$")
-list(FILTER installed EXCLUDE REGEX "/libpupflow_engine\\.a$")
+list(FILTER installed EXCLUDE REGEX "/libpupflow\\.(a|so)$")
 list(FILTER installed EXCLUDE REGEX "/pkgconfig/pupflow\\.pc$")
 list(TRANSFORM installed REPLACE "^include/" "")
 list(SORT headers)

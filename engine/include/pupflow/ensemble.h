@@ -6,11 +6,12 @@
 #include <optional>
 #include <vector>
 
+#include "pupflow/export.h"
 #include "pupflow/observer.h"
 #include "pupflow/parameters.h"
 #include "pupflow/status.h"
 
-namespace pupflow {
+namespace pupflow PUPFLOW_PUBLIC {
 
 /// What was seen after one step of a run.
 struct Sample {
@@ -56,4 +57,4 @@ void run_ensemble(std::int64_t count, int threads,
 /// sweep of up to 2^31 runs.
 std::int64_t run_seed(std::int64_t base_seed, std::int64_t run);
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

@@ -9,10 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "pupflow/export.h"
 #include "pupflow/plan.h"
 #include "pupflow/view.h"
 
-namespace pupflow {
+namespace pupflow PUPFLOW_PUBLIC {
 
 enum class FieldKind {
   continuous,
@@ -104,4 +105,4 @@ std::vector<int> group_labels(int pups, std::span<const TouchingPair> touching);
 /// Pups in each of the groups of `labels` (group_labels).
 std::vector<int> group_sizes(std::span<const int> labels);
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

@@ -4,7 +4,9 @@
 #include <span>
 #include <string_view>
 
-namespace pupflow {
+#include "pupflow/export.h"
+
+namespace pupflow PUPFLOW_PUBLIC {
 
 enum class InstructionSet { baseline, avx2, avx512 };
 
@@ -14,4 +16,4 @@ std::string_view instruction_set_name(InstructionSet set);
 /// The instruction sets that both this processor and this build have, fastest last. Never empty.
 std::span<const InstructionSet> supported_instruction_sets();
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

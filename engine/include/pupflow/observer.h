@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "pupflow/export.h"
 #include "pupflow/fields.h"
 #include "pupflow/view.h"
 
-namespace pupflow {
+namespace pupflow PUPFLOW_PUBLIC {
 
 /// Some of the observables.
 class ObservableSet {
@@ -92,4 +93,4 @@ class RunMeans {
   std::vector<double> exposed_mean_, exposed_m2_;  // Welford's running moments, one per pup
 };
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

@@ -15,10 +15,11 @@
 #include <cstdint>
 #include <memory>
 
+#include "pupflow/export.h"
 #include "pupflow/geometry.h"
 #include "pupflow/view.h"
 
-namespace pupflow {
+namespace pupflow PUPFLOW_PUBLIC {
 
 /// How the bodies overlap after one step. Without a second pup the distances are infinite.
 struct Overlap {
@@ -63,4 +64,4 @@ class OverlapMeans {
   Overlap sum_;
 };
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

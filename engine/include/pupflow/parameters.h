@@ -10,9 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "pupflow/export.h"
 #include "pupflow/schedule.h"
 
-namespace pupflow {
+namespace pupflow PUPFLOW_PUBLIC {
 
 // Rules with several readings; docs/model.md has the equations.
 enum class Heading { course, body };  // travel along a state of its own, or the body axis
@@ -170,4 +171,4 @@ class InvalidParams : public std::invalid_argument {
   std::vector<Problem> problems_;
 };
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

@@ -9,10 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "pupflow/export.h"
 #include "pupflow/parameters.h"
 #include "pupflow/status.h"
 
-namespace pupflow {
+namespace pupflow PUPFLOW_PUBLIC {
 
 /// Parts of stages that not every scene needs, in the order of their stages.
 enum class Part {
@@ -109,4 +110,4 @@ std::vector<Decision> explain_plan(const Params& params, PartSet observed);
 /// `stage` with those of its parts that the scene would need if it needed the stage.
 Plan whole_stage(Stage stage, const Params& params, PartSet observed);
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

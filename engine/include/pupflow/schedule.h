@@ -9,7 +9,9 @@
 #include <span>
 #include <vector>
 
-namespace pupflow {
+#include "pupflow/export.h"
+
+namespace pupflow PUPFLOW_PUBLIC {
 
 /// What is done to a pup beside what it does by itself.
 struct Action {
@@ -74,4 +76,4 @@ class Schedule {
   std::vector<Change> changes_;
 };
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

@@ -7,13 +7,14 @@
 #include <span>
 #include <vector>
 
+#include "pupflow/export.h"
 #include "pupflow/instruction_set.h"
 #include "pupflow/parameters.h"
 #include "pupflow/plan.h"
 #include "pupflow/snapshot.h"
 #include "pupflow/status.h"
 
-namespace pupflow {
+namespace pupflow PUPFLOW_PUBLIC {
 
 class LitterModel;
 
@@ -139,4 +140,4 @@ class Simulation {
   std::unique_ptr<LitterModel> model_;
 };
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

@@ -3,7 +3,9 @@
 
 #include <vector>
 
-namespace pupflow {
+#include "pupflow/export.h"
+
+namespace pupflow PUPFLOW_PUBLIC {
 
 /// The place of an afferent on the cube from which the pup's sphere is made. Faces 0, 1, 2 are
 /// those of the body's x, y and z axes, 3, 4, 5 the opposite ones.
@@ -42,4 +44,4 @@ struct SkinSheet {
 /// in body axes: z in the middle, -z at the four corners.
 SkinSheet skin_sheet(int face_points);
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

@@ -5,10 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "pupflow/export.h"
 #include "pupflow/parameters.h"
 #include "pupflow/view.h"
 
-namespace pupflow {
+namespace pupflow PUPFLOW_PUBLIC {
 
 /// The step and the time at which dt last changed. Time is counted from there, in one product,
 /// since adding up dt step by step would gather rounding errors.
@@ -45,4 +46,4 @@ struct Snapshot {
   LitterView view() const;
 };
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

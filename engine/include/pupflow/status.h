@@ -9,7 +9,9 @@
 #include <string>
 #include <string_view>
 
-namespace pupflow {
+#include "pupflow/export.h"
+
+namespace pupflow PUPFLOW_PUBLIC {
 
 /// The stages of a step, in the order in which they run. Only with integrator = explicit
 /// shape_match runs before predict. A step leaves out the stages that its scene does not need
@@ -98,4 +100,4 @@ class Warnings {
 /// Their messages, joined by "; "; empty when there is none.
 std::string warnings_text(std::span<const Warning> warnings);
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

@@ -3,7 +3,9 @@
 
 #include <string_view>
 
-namespace pupflow {
+#include "pupflow/export.h"
+
+namespace pupflow PUPFLOW_PUBLIC {
 
 /// Semantic versioning: https://semver.org.
 struct Version {
@@ -15,4 +17,4 @@ Version version();
 /// The same as text, e.g. "0.2.0".
 std::string_view version_text();
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

@@ -9,10 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "pupflow/export.h"
 #include "pupflow/parameters.h"
 #include "pupflow/plan.h"
 
-namespace pupflow {
+namespace pupflow PUPFLOW_PUBLIC {
 
 /// Two pups that touched in the last step, first < second.
 struct TouchingPair {
@@ -133,4 +134,4 @@ class LitterCopy {
   PartSet recorded_;
 };
 
-}  // namespace pupflow
+}  // namespace PUPFLOW_PUBLIC

@@ -1,0 +1,8 @@
+// The shared library exports what the headers of this folder declare, and nothing else.
+#pragma once
+
+#if defined(__GNUC__)
+#define PUPFLOW_PUBLIC __attribute__((visibility("default")))
+#else
+#define PUPFLOW_PUBLIC
+#endif

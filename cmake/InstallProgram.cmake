@@ -1,7 +1,8 @@
-# What an installed program has beside its binaries: manual, completion, licence, desktop files. The
+# What an installed program has beside its binaries: manual, completion, licence, docs, desktop files. The
 # manual is what the program just built says of itself, so a cross build leaves it out.
 install(FILES LICENSE CHANGELOG.md README.md CITATION.cff
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc)
 install(FILES packaging/pupflow.desktop
   DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT graphics)
 install(FILES packaging/pupflow.metainfo.xml

@@ -9,7 +9,7 @@ build_packages=(g++ cmake ninja-build pkg-config
   libegl-dev libgl-dev libglew-dev libglfw3-dev libx11-dev libgl1-mesa-dri libimgui-dev libstb-dev
   gnuplot-nox
   python3-dev python3-numpy pybind11-dev)
-check_packages=(libgtest-dev libgmock-dev clang-format-14 xvfb xdotool imagemagick
+check_packages=(libgtest-dev libgmock-dev clang-format-14 xvfb xdotool imagemagick zsh
   ffmpeg libopenmpi-dev openmpi-bin libbenchmark-dev libarmadillo-dev
   python3-brian python3-h5py python3-h5netcdf python3-matplotlib python3-xarray)
 lint_packages=(clang-tidy-14)

@@ -65,3 +65,28 @@ execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pc_folder}
 separate_arguments(flags UNIX_COMMAND "${flags}")
 separate_arguments(own UNIX_COMMAND "${FLAGS}")
 run(${COMPILER} -std=c++20 ${own} ${EXAMPLE}/warm_or_cold.cpp -o ${WORK}/by_pkg_config ${flags})
+
+# The shared library is a component of its own: asked for without it, the package says so.
+file(WRITE ${WORK}/shared/CMakeLists.txt "cmake_minimum_required(VERSION 3.21)
+project(shared LANGUAGES CXX)
+find_package(pupflow REQUIRED COMPONENTS shared)
+add_executable(shared ${EXAMPLE}/warm_or_cold.cpp)
+target_link_libraries(shared PRIVATE pupflow::engine_shared)
+")
+file(GLOB library ${BUILD}/engine/libpupflow.so.*)
+if(library)
+  file(REMOVE_RECURSE ${WORK}/build)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/shared -B ${WORK}/build -G ${GENERATOR}
+    -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF
+    RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE words)
+  if(NOT result OR NOT words MATCHES "libpupflow\\.so.* is missing")
+    message(FATAL_ERROR "without the shared library, asking for it gave:\n${words}")
+  endif()
+  run(${CMAKE_COMMAND} --install ${BUILD} --component library --config ${CONFIG} --prefix ${WORK}/prefix)
+  file(REMOVE_RECURSE ${WORK}/build)
+  build(${WORK}/shared)
+  run(${WORK}/build/shared)
+  if(NOT output MATCHES "T_a = 0.2: huddling 0")
+    message(FATAL_ERROR "the example with the shared library printed:\n${output}")
+  endif()
+endif()

@@ -15,7 +15,7 @@ program  bin/pupflow
 program  share/doc/pupflow/LICENSE
 program  share/doc/pupflow/[A-Z.a-z]*
 program  share/man/man1/pupflow.1
-program  share/man/man1/pupflow-*.1
+program  share/man/man1/pupflow-[a-z]*.1
 program  share/bash-completion/completions/pupflow
 program  share/zsh/vendor-completions/_pupflow
 program  share/pupflow/scenes/*.toml

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What a binary must not do: look for libraries in the current folder, lie at a fixed address, keep
-# its linkage tables writable, run code on its stack, leave stacks and buffers unchecked, or reach
-# for a network.
+# its linkage tables writable, run code on its stack, leave stacks and buffers unchecked, reach for a
+# network, or show the engine that it holds to others.
 set -euo pipefail
 failed=0
 wrong() { echo "$1: $2" >&2; failed=1; }
@@ -25,6 +25,8 @@ for binary in "$@"; do
   grep -qE '__(memcpy|memmove|snprintf|vsnprintf|fprintf|vfprintf|read|printf)_chk' <<<"$symbols" && checked_buffers=yes
   imported=$(grep -oE '\b(socket|connect|bind|listen|accept4?|getaddrinfo|gethostbyname|sendto|recvfrom)(@|$)' <<<"$symbols" || true)
   [ -z "$imported" ] || wrong "$binary" "imports $imported"
+  exported=$(nm --dynamic --defined-only "$binary" | grep -c '_ZNK\?7pupflow10Simulation' || true)
+  [ "$exported" = 0 ] || wrong "$binary" "exports $exported functions of the engine"
 done
 [ $checked_buffers = yes ] || wrong "all binaries" "were built without _FORTIFY_SOURCE"
 exit $failed

@@ -15,9 +15,9 @@ chmod -R go=rX "$system/packages"
 inside() {
   unshare --mount --pid --fork chroot "$system" \
     env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
-    bash -euo pipefail -c "mount -t proc proc /proc; mount -t tmpfs tmpfs /dev/shm; $1"
+    bash -euo pipefail -c "mount -t proc proc /proc; mount -t sysfs sysfs /sys; mount -t tmpfs tmpfs /dev/shm; $1"
 }
-files() { (cd "$system" && find . -path ./proc -prune -o -path ./tmp -prune -o -path ./packages -prune -o -print | sort); }
+files() { (cd "$system" && find . -path ./proc -prune -o -path ./sys -prune -o -path ./tmp -prune -o -path ./packages -prune -o -print | sort); }
 
 say() { printf '\n-- %s\n' "$*"; }
 

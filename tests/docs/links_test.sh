@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$1"
 links=0 broken=0
-for page in README.md CHANGELOG.md docs/*.md docs/reports/*/*.md; do
+for page in README.md CHANGELOG.md docs/*.md docs/*/*.md docs/reports/*/*.md; do
   while read -r target; do
     links=$((links + 1))
     [ -e "$(dirname "$page")/$target" ] && continue

@@ -37,6 +37,7 @@ SMALLER = [
     (r"pupflow figure2\b", f"--seeds 2 {SHORT}"),
     (r"pupflow sweep(?= .*--(?:vary ta=0:1:|vary alpha=|lhs 100))", f"--seeds 2 {SHORT}"),
     (r"pupflow sweep(?= .*--lhs 100)", "--lhs 4"),
+    (r"pupflow sweep(?!.*--steps)(?=.*--seeds [23]\b)", "--steps 200 --set discard=50"),
     (r"pupflow report error(?= cold\b)", f"--quick --seeds 2 {SHORT}"),
     (r"pupflow run(?=.*--steps 100000)", "--steps 3000"),
     (r"pupflow render(?=.*--movie)", "--steps 60 --size 160x120"),

@@ -79,7 +79,7 @@ const LitterField* find_field(std::string_view name);
 /// What the fields need that are columns of the pups CSV.
 PartSet parts_in_files();
 
-/// The litter's observables after one step; NaN where one was not asked for.
+/// The observables after one step (Wilson 2017, Results; docs/model.md); NaN where not asked for.
 struct Observables {
   double mean_tb = 0;          ///< normalised; mean T_b over pups
   double huddling = 0;         ///< 1 - A, mean over pups

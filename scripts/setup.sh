@@ -10,7 +10,7 @@ build_packages=(g++ cmake ninja-build pkg-config
   gnuplot-nox
   python3-dev python3-numpy pybind11-dev)
 check_packages=(libgtest-dev libgmock-dev clang-format-14 xvfb xdotool imagemagick zsh
-  ffmpeg libopenmpi-dev openmpi-bin libbenchmark-dev libarmadillo-dev
+  ffmpeg doxygen libopenmpi-dev openmpi-bin libbenchmark-dev libarmadillo-dev
   python3-brian python3-h5py python3-h5netcdf python3-matplotlib python3-xarray)
 lint_packages=(clang-tidy-14)
 package_packages=(dpkg-dev file libopenmpi-dev lintian desktop-file-utils appstream)

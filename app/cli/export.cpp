@@ -83,7 +83,7 @@ Verb add_export(CLI::App& program) {
   return {app,
           [options] { work(*options); },
           {{"export run.h5 --format npy --out tb.npy", "Body temperatures as a numpy array"},
-           {"export run.h5 --format vtk --out 'frames/%05d.vtp'", "A file a frame, for ParaView"}}};
+           {"export run.h5 --format vtk --out 'pups-%05d.vtp'", "A file a frame, for ParaView"}}};
 }
 
 }  // namespace pupflow::cli

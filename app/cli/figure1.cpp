@@ -104,7 +104,7 @@ Verb add_figure1(CLI::App& program) {
   return {app,
           [options, app] { work(*app, *options); },
           {{"figure1", "The figure, as figure1.png"},
-           {"figure1 --color-by group --scale auto --out groups.png",
+           {"figure1 --color-by group --out groups.png",
             "The same litters, their groups in colors"}}};
 }
 

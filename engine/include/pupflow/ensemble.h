@@ -1,4 +1,5 @@
-// Many independent runs on any number of threads, which changes no bit of the results.
+/// @file
+/// Many independent runs on any number of threads, which changes no bit of the results.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +16,20 @@ namespace pupflow PUPFLOW_PUBLIC {
 
 /// What was seen after one step of a run.
 struct Sample {
-  std::int64_t step;
-  double time;  // model seconds
-  Observables seen;
+  std::int64_t step;  ///< steps done
+  double time;        ///< model seconds
+  Observables seen;   ///< after that step
 };
 
 /// The result of a whole run.
 struct RunResult {
-  Status status;               // of the last step; if it is bad, the means are not valid
-  Observables means;           // over the steps after `discard`
-  double exposed_sd = 0;       // standard deviation of a pup's A over time, mean over pups
-  Warnings warnings;           // of the steps that were taken
-  std::int64_t steps = 0;      // that were taken
-  std::uint64_t hash = 0;      // of the litter after them (Simulation::hash)
-  std::vector<Sample> series;  // after steps N, 2 N, ... for series_every = N
+  Status status;               ///< of the last step; if it is bad, the means are not valid
+  Observables means;           ///< over the steps after `discard`
+  double exposed_sd = 0;       ///< standard deviation of a pup's A over time, mean over pups
+  Warnings warnings;           ///< of the steps that were taken
+  std::int64_t steps = 0;      ///< that were taken
+  std::uint64_t hash = 0;      ///< of the litter after them (Simulation::hash)
+  std::vector<Sample> series;  ///< after steps N, 2 N, ... for series_every = N
 };
 
 /// Runs `params.steps` steps, or to the first bad status. The litter is observed only as the means

@@ -1,4 +1,5 @@
-// The shape of a pup at rest, the surface through its points, and the centres of pups at the start.
+/// @file
+/// The shape of a pup at rest, the surface through its points, and the centres of pups at the start.
 #pragma once
 
 #include <Eigen/Core>

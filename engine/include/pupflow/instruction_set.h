@@ -1,4 +1,5 @@
-// The instruction sets that the loops over points are compiled for.
+/// @file
+/// The instruction sets that the loops over points are compiled for.
 #pragma once
 
 #include <span>
@@ -8,6 +9,7 @@
 
 namespace pupflow PUPFLOW_PUBLIC {
 
+/// Results have the same bits with each.
 enum class InstructionSet { baseline, avx2, avx512 };
 
 /// "baseline" (SSE2 on x86-64, NEON on arm64), "avx2" or "avx512".

@@ -1,5 +1,6 @@
-// What is measured on a litter: the observables of Wilson 2017 (Results) and their means over a
-// run.
+/// @file
+/// What is measured on a litter: the observables of Wilson 2017 (Results) and their means over a
+/// run.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,13 @@ namespace pupflow PUPFLOW_PUBLIC {
 /// Some of the observables.
 class ObservableSet {
  public:
+  /// All observables.
   static ObservableSet all();
+
+  /// Adds one, and returns this set.
   ObservableSet& add(Observable observable);
+
+  /// Whether it has this one.
   bool has(Observable observable) const { return (bits_ & bit(observable)) != 0; }
 
   /// What steps must record for them (Simulation::set_observed).
@@ -44,6 +50,7 @@ class Observer {
   /// Nobody looks at the step just taken, but a later step may be compared with it.
   void pass(const LitterView& litter);
 
+  /// What `observe` returned last; zeros before its first call.
   const Observables& last() const { return last_; }
 
  private:
@@ -60,23 +67,29 @@ class Observer {
 
 /// What a whole run comes to: means of the observables, in their order, then the standard deviation
 /// of a pup's A over time, mean over pups.
+///@{
 constexpr std::size_t kRunStatisticCount = kObservableCount + 1;
 std::span<const Field, kRunStatisticCount> run_statistics();
+///@}
 
-/// The places of an observable's mean and of the standard deviation of A among them.
+/// The place of an observable's mean among them.
 constexpr std::size_t statistic_of(Observable observable) {
   return static_cast<std::size_t>(observable);
 }
+
+/// The place of the standard deviation of A among them.
 constexpr std::size_t kExposedSd = kObservableCount;
 
 /// Means of a run over the steps after `discard`, as the rows of a sweep report them.
 class RunMeans {
  public:
+  /// Leaves out the first `discard` steps.
   explicit RunMeans(std::int64_t discard) : discard_(discard) {}
 
   /// Adds what was seen after the step just taken, unless it is among the first `discard`.
   void add(const LitterView& litter, const Observables& seen);
 
+  /// How many steps were added.
   std::int64_t count() const { return count_; }
 
   /// Means over the added steps; NaN when there are none. That of the flow is over the steps that

@@ -1,5 +1,6 @@
-// What changes during a run: parameters, at a step or over some steps, and what is done to single
-// pups. With it a parameter set is the whole recipe of a run.
+/// @file
+/// What changes during a run: parameters, at a step or over some steps, and what is done to single
+/// pups. With it a parameter set is the whole recipe of a run.
 #pragma once
 
 #include <array>
@@ -15,9 +16,9 @@ namespace pupflow PUPFLOW_PUBLIC {
 
 /// What is done to a pup beside what it does by itself.
 struct Action {
-  std::array<double, 3> force{};  // length/s^2; acceleration, added to gravity and drive
-  double heat = 0;                // normalised/s; added to G
-  std::optional<double> turn;     // rad/s, in place of its own delta theta; with heading = body rad
+  std::array<double, 3> force{};  ///< length/s^2; acceleration, added to gravity and drive
+  double heat = 0;                ///< normalised/s; added to G
+  std::optional<double> turn;  ///< rad/s, in place of its own delta theta; with heading = body rad
 
   /// Whether it changes anything.
   bool acts() const { return *this != Action{}; }
@@ -30,18 +31,19 @@ struct Action {
 
 /// One entry of a schedule. It sets parameters, or acts on one pup.
 struct Change {
+  /// A value for a parameter.
   struct Setting {
-    std::size_t parameter;  // its place in parameters(); must be of Effect::next_step
-    double value;
+    std::size_t parameter;  ///< its place in parameters(); must be of Effect::next_step
+    double value;           ///< as Parameter::set takes it
     friend bool operator==(const Setting&, const Setting&) = default;
   };
 
-  std::int64_t step = 0;              // steps done when it begins: step + 1 is the first to use it
-  std::optional<std::int64_t> until;  // steps done when it has ended
-  std::vector<Setting> settings;      // without `until` at once, with it linear from the value that
-                                      // holds at `step`; only Kind::real
-  std::optional<int> pup;             // whom `action` acts on, up to `until` or the end of the run
-  Action action;
+  std::int64_t step = 0;  ///< steps done when it begins: step + 1 is the first to use it
+  std::optional<std::int64_t> until;  ///< steps done when it has ended
+  std::vector<Setting> settings;  ///< without `until` at once, with it linear from the value that
+                                  ///< holds at `step`; only Kind::real
+  std::optional<int> pup;         ///< whom `action` acts on, up to `until` or the end of the run
+  Action action;                  ///< what is done to that pup
 
   friend bool operator==(const Change&, const Change&) = default;
 };
@@ -54,9 +56,14 @@ class Schedule {
   /// No further change.
   static constexpr std::int64_t kNever = INT64_MAX;
 
+  /// In their order. Valid until one is added.
   std::span<const Change> changes() const { return changes_; }
+
+  /// Whether nothing changes.
   bool empty() const { return changes_.empty(); }
 
+  /// Adds a change behind those that begin at the same step. Nothing is checked: `check` does so for
+  /// the parameters that hold the schedule.
   void add(Change change);
 
   /// Adds a change at once of one parameter. A value set before at the same step is replaced.

@@ -1,4 +1,5 @@
-// The face of the library: parameters in, step, look.
+/// @file
+/// The face of the library: parameters in, step, look.
 #pragma once
 
 #include <cstdint>
@@ -33,10 +34,14 @@ class Simulation {
   explicit Simulation(const Snapshot& snapshot,
                       InstructionSet set = supported_instruction_sets().back());
 
+  /// A copy has the whole state. One that was moved from may only be destroyed or assigned to.
+  ///@{
   Simulation(const Simulation& other);
   Simulation(Simulation&& other) noexcept;
   Simulation& operator=(const Simulation& other);
   Simulation& operator=(Simulation&& other) noexcept;
+  ///@}
+
   ~Simulation();
 
   /// The parameters of the last step, or those set since.
@@ -60,6 +65,8 @@ class Simulation {
   /// again. Not part of the recipe. Throws std::out_of_range for a pup that is not there,
   /// std::invalid_argument for a number that is not finite.
   void set_action(int pup, const Action& action);
+
+  /// What was set so. Throws std::out_of_range for a pup that is not there.
   Action action(int pup) const;
 
   /// The steps done when pups were first set by hand (set_cloud, set_body_temperature, set_heading,
@@ -89,7 +96,9 @@ class Simulation {
   /// What a step does: the stages that the scene needs, and those that were forced.
   const Plan& plan() const;
 
-  /// One step, t -> t + dt. After a bad status, which it then keeps returning, it does nothing.
+  /// One step, t -> t + dt, of the model of Wilson 2017 (Methods); docs/model.md has its equations.
+  /// After a bad status, which it then keeps returning, it does nothing. `listener` is told of each
+  /// stage.
   Status step(StageListener* listener = nullptr);
 
   /// Up to `count` steps, ending at the first bad status.
@@ -102,14 +111,15 @@ class Simulation {
   /// change nothing. A copy keeps them; a simulation made from a snapshot begins without any.
   std::span<const Warning> warnings() const;
 
-  std::int64_t steps_done() const;
-  double time() const;  // model seconds
-
-  int pups() const;
-  int points() const;  // per pup
+  std::int64_t steps_done() const;  ///< since the start of the run, not of this object
+  double time() const;              ///< model seconds
+  int pups() const;                 ///< number of pups
+  int points() const;               ///< per pup
 
   /// The litter as it is now. Valid until the simulation is stepped, edited, moved or destroyed.
   LitterView view() const;
+
+  /// The same, so that functions that look at a litter take a simulation.
   operator LitterView() const { return view(); }  // NOLINT(google-explicit-constructor)
 
   /// Replaces the cloud of one pup, e.g. to set up an experiment: 3 * points() numbers each. Throws
@@ -117,9 +127,12 @@ class Simulation {
   /// that are not finite (in the litter's precision) are reported by the next step, by point.
   void set_cloud(int pup, std::span<const double> positions, std::span<const double> velocities);
 
-  /// Both throw std::out_of_range for a pup that is not there. A temperature that is not finite is
-  /// reported by the next heat stage; a heading that is not throws std::invalid_argument.
+  /// Sets T_b of a pup, normalised. Throws std::out_of_range for a pup that is not there. A value
+  /// that is not finite is reported by the next heat stage.
   void set_body_temperature(int pup, double value);
+
+  /// Sets the direction of travel. Throws std::out_of_range for a pup that is not there,
+  /// std::invalid_argument for a number that is not finite.
   void set_heading(int pup, double radians);
 
   /// The whole state as plain numbers.

@@ -1,4 +1,5 @@
-// How the afferents (points) of a pup lie on its skin: cells of six grids, neighbours, an image.
+/// @file
+/// How the afferents (points) of a pup lie on its skin: cells of six grids, neighbours, an image.
 #pragma once
 
 #include <vector>
@@ -10,7 +11,9 @@ namespace pupflow PUPFLOW_PUBLIC {
 /// The place of an afferent on the cube from which the pup's sphere is made. Faces 0, 1, 2 are
 /// those of the body's x, y and z axes, 3, 4, 5 the opposite ones.
 struct SkinCell {
-  int face, row, column;
+  int face;    ///< 0 ... 5
+  int row;     ///< 0 ... k - 1
+  int column;  ///< 0 ... k - 1
 };
 
 /// One cell per afferent of a pup with `face_points` >= 1 points along a face edge.
@@ -23,8 +26,8 @@ std::vector<std::vector<int>> skin_neighbours(int face_points);
 /// An image of the skin: pixel (row, column) is element row * size + column and holds the number of
 /// an afferent. Every pixel stands for the same area of the sphere.
 struct SkinSheet {
-  int size = 0;  // rows and columns
-  std::vector<int> afferent;
+  int size = 0;               ///< rows and columns
+  std::vector<int> afferent;  ///< size * size numbers, row by row
 };
 
 /// The sheet of a pup: size 8 k, so 32/3 pixels an afferent on average, and every afferent has

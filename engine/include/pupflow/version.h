@@ -1,4 +1,5 @@
-// The version of the library, which is that of the program.
+/// @file
+/// The version of the library, which is that of the program.
 #pragma once
 
 #include <string_view>
@@ -9,9 +10,12 @@ namespace pupflow PUPFLOW_PUBLIC {
 
 /// Semantic versioning: https://semver.org.
 struct Version {
-  int major, minor, patch;
+  int major;  ///< incompatible changes
+  int minor;  ///< new features
+  int patch;  ///< fixes
 };
 
+/// That of the library which is linked.
 Version version();
 
 /// The same as text, e.g. "0.2.0".

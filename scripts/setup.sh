@@ -33,9 +33,9 @@ as_root() {
 # room PRESET: prints what build/PRESET takes, rounded up. As of version 0.2.0, with GCC.
 room() {
   case $1 in
-    release) echo "70 MB" ;;
-    engine) echo "100 MB" ;;
-    check) echo "600 MB" ;;
+    release) echo "50 MB" ;;
+    engine) echo "25 MB" ;;
+    check) echo "280 MB" ;;
   esac
 }
 

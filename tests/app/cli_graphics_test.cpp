@@ -58,7 +58,7 @@ TEST_F(CliGraphics, WithoutTheModuleOnlyPicturesFail) {
   const Outcome doctor = pupflow({"doctor"});
   EXPECT_EQ(doctor.code, 0);
   // Parts of a build are looked for beside the program, which stands alone here.
-  for (const char* part : {"mpi         no module", "python      no module",
+  for (const char* part : {"mpi        no module", "python     no module",
                            "sweeps over several machines need MPI: apt install libopenmpi-dev",
                            "scripts in Python need pybind11: apt install python3-dev"}) {
     EXPECT_THAT(doctor.out, HasSubstr(part));

@@ -79,7 +79,7 @@ sizes() {
 # need PACKAGE...: says what is missing and how much that is, and installs it; stops where it cannot.
 need() {
   is_debian || stop "This is no Debian or Ubuntu system, so nothing can be installed here by itself." \
-    "Install what these Debian packages hold: $*" \
+    "Install what these Debian packages hold: ${*//|/ or }" \
     "Then run the same command again with --no-install."
   local names packages
   names=$(missing "$@")
@@ -87,7 +87,7 @@ need() {
   mapfile -t packages <<<"$names"
   if [ "$(id -u)" -ne 0 ] && ! has sudo; then
     stop "These packages are missing, and installing them needs root:" \
-      "  apt-get install --no-install-recommends ${packages[*]}"
+      "  apt-get install --no-install-recommends ${packages[*]}" "($(sizes "${packages[@]}"))"
   fi
   # The lists of a fresh system are empty.
   if ! apt_knows "${packages[@]}"; then
@@ -107,7 +107,7 @@ need() {
 tell_missing() {
   local names
   if ! is_debian; then
-    echo "Taken to be here: what the Debian packages $* hold"
+    echo "Taken to be here: what the Debian packages ${*//|/ or } hold"
     return
   fi
   names=$(missing "$@")

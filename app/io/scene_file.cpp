@@ -93,12 +93,13 @@ std::string take_parameter(const Parameter& parameter, const toml::node& value, 
 
 std::string unknown_key(std::string_view key, const toml::node& value) {
   if (value.is_table()) {
-    return quoted(key) + " is a table, but a scene is a flat list of name = value";
+    return io::quoted(key) + " is a table, but a scene is a flat list of name = value";
   }
   std::vector<std::string_view> names{"title", "description", kAt};
   for (const Parameter& parameter : parameters()) names.push_back(parameter.name);
   const std::string meant = did_you_mean(key, names);
-  return "unknown key " + quoted(key) + (meant.empty() ? "; 'pupflow params' lists all" : meant);
+  return "unknown key " + io::quoted(key) +
+         (meant.empty() ? "; 'pupflow params' lists all" : meant);
 }
 
 /// Takes one key of the scene; returns what is wrong with it, or nothing.

@@ -16,7 +16,7 @@ std::string unknown_parameter(std::string_view name) {
   std::vector<std::string_view> names;
   for (const Parameter& parameter : parameters()) names.push_back(parameter.name);
   const std::string meant = did_you_mean(name, names);
-  return "unknown parameter " + quoted(name) +
+  return "unknown parameter " + io::quoted(name) +
          (meant.empty() ? "; 'pupflow params' lists all" : meant);
 }
 

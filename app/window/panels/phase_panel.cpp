@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/io/celsius.h"
 #include "app/io/text.h"
 #include "app/window/panels/figure2_curve.h"
 #include "app/window/panels/plot.h"
@@ -84,8 +85,9 @@ std::string pointed_text(const Plot& plot, const Area& paper,
   }
   if (!nearest) return {};
   plot.dot(nearest->ta, nearest->huddling, plot_colors().now);
-  return io::formatted("at %.2f s: T_a %.3g, 1 − A %.3f", nearest->time, nearest->ta,
-                       nearest->huddling);
+  return io::formatted("at %.2f s: T_a ", nearest->time) +
+         io::with_celsius(io::formatted("%.3g", nearest->ta), nearest->ta, true) +
+         io::formatted(", 1 − A %.3f", nearest->huddling);
 }
 
 }  // namespace

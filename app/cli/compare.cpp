@@ -33,7 +33,8 @@ Verb add_compare(CLI::App& program) {
                         "a table for people; JSON has the model's units");
             const study::Comparison comparison =
                 study::compare_summaries(options->paths[0], options->paths[1]);
-            io::print(options->json ? comparison_json(comparison) : comparison_text(comparison, options->celsius));
+            io::print(options->json ? comparison_json(comparison)
+                                    : comparison_text(comparison, options->celsius));
           },
           {{"compare sweep-a sweep-b",
             "Two sweeps over the same points, e.g. before and after a change"},

@@ -71,9 +71,10 @@ Verb add_export(CLI::App& program) {
   app->add_flag("--sheet", request.sheet,
                 "Afferents as square images of the skin; the recording's data set skin/sheet says "
                 "which afferent is where");
-  app->add_option("--scale", options->scale,
-                  "With --format gcal: the values that become 0 and 1; those beyond are cut off (default: "
-                  "the field's range)")
+  app->add_option(
+         "--scale", options->scale,
+         "With --format gcal: the values that become 0 and 1; those beyond are cut off (default: "
+         "the field's range)")
       ->option_text("MIN,MAX");
   app->add_flag("--force", request.force, "Replace output files that exist");
   app->add_flag("-q,--quiet", options->quiet, "No progress");

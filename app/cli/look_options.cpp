@@ -21,7 +21,8 @@ void take_scale(const std::string& text, view::ColorScale& scale) {
   if (name != view::kEndsNames.end() && !text.empty()) {
     return scale.set_ends(static_cast<view::Ends>(name - view::kEndsNames.begin()));
   }
-  const std::string right = "auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1";
+  const std::string right = "auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1" +
+                            io::did_you_mean(text, view::kEndsNames);
   const std::vector<double> ends = parse_numbers("--scale", text, right);
   if (ends.size() != 2 || !(ends[0] < ends[1])) {
     io::refuse("--scale " + io::quoted(text) + ": must be " + right);

@@ -252,8 +252,8 @@ void work(const CLI::App& verb, Options options) {
   job.bar = !options.no_bar;
   job.look = look_of(options.look);
   refuse_idle(verb, "--trail", job.look.overlays.has("trails"), "--overlay trails");
-  refuse_idle(verb, "--celsius",
-              job.look.caption || (job.bar && job.look.scale.is_temperature()), kOfCelsius);
+  refuse_idle(verb, "--celsius", job.look.caption || (job.bar && job.look.scale.is_temperature()),
+              kOfCelsius);
   refuse_idle(verb, "--dpi", options.movie.empty(), "a picture; a film names no dots per inch");
   take_output(verb, options, job);
   load_graphics().render(job);
@@ -275,9 +275,10 @@ Verb add_render(CLI::App& program) {
   help.at = "draw a frame after each of these steps, e.g. 500,1500 (0 is the start)";
   help.quiet = "No progress";
   add_common(*app, options->common, help);
-  app->add_option("--every", options->every,
-                  "A frame after steps N, 2N, ... up to --steps. Without it and --at STEPS a picture "
-                  "shows the last step, and a second of a film is a second of the model")
+  app->add_option(
+         "--every", options->every,
+         "A frame after steps N, 2N, ... up to --steps. Without it and --at STEPS a picture "
+         "shows the last step, and a second of a film is a second of the model")
       ->option_text("N")
       ->check(between(std::int64_t{1}, kUnbounded));
   add_from(*app, options->from);

@@ -232,9 +232,9 @@ void work(const CLI::App& verb, const Options& options) {
   if (run.summary()) {
     const Seen seen{run.means(), run.overlap()};
     const std::string text =
-        options.json ? run_json(start.title, run.simulation(), seen, run.seconds())
-                     : run_summary(start.title, run.simulation(), seen, run.seconds(),
-                                   options.celsius);
+        options.json
+            ? run_json(start.title, run.simulation(), seen, run.seconds())
+            : run_summary(start.title, run.simulation(), seen, run.seconds(), options.celsius);
     const bool taken =
         io::is_standard_output(options.common.out) || io::is_standard_output(options.pups);
     if (taken) {

@@ -29,14 +29,14 @@ std::string means_text(const Simulation& simulation, const Seen& seen, bool cels
   const long long first = done - means.count() + 1;  // after --from later than discard + 1
   std::vector<io::Row> rows;
   const auto add = [&](const std::string& label, double value, const std::string& unit = "") {
-    rows.push_back(
-        {"  " + label, io::formatted("%.4g", value) + (unit.empty() ? "" : " ") + unit});
+    rows.push_back({"  " + label, io::formatted("%.4g", value) + (unit.empty() ? "" : " ") + unit});
   };
   const Observables m = means.means();
   for (const ObservableField& field : observables()) {
     const bool lagged = field.observable == Observable::flow && params.flow_lag != 1;
     const double value = m.*field.value;
-    add(std::string(field.label) + (lagged ? ", lag " + std::to_string(params.flow_lag) : ""), value,
+    add(std::string(field.label) + (lagged ? ", lag " + std::to_string(params.flow_lag) : ""),
+        value,
         celsius && io::is_temperature(field) ? "(" + io::celsius_text(value) + ")"
                                              : std::string(field.unit));
   }

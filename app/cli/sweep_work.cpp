@@ -83,9 +83,9 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
   add_common(app, options.common, help);
   app.get_option("--out")->option_text("FOLDER");
   add_flow_lag(app, options.common);
-  app.add_option(
-         "--seeds", options.seeds,
-         "Runs at each point (default 10); with a larger N than before only the new ones are computed")
+  app.add_option("--seeds", options.seeds,
+                 "Runs at each point (default 10); with a larger N than before only the new ones "
+                 "are computed")
       ->option_text("N")
       ->check(between(std::int64_t{1}, std::int64_t{1000000}));
   app.add_option(

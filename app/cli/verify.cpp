@@ -53,7 +53,8 @@ Verb add_verify(CLI::App& program) {
   app->add_option("--row", options->row, "Of a sweep's runs only this row; 1 is the first")
       ->option_text("N")
       ->check(between(std::int64_t{1}, kUnbounded));
-  app->add_option("--threads", options->threads, "Runs at a time, or threads that share a step (default: all cores)")
+  app->add_option("--threads", options->threads,
+                  "Runs at a time, or threads that share a step (default: all cores)")
       ->option_text("N")
       ->check(between(1, 1024));
   app->add_flag("-q,--quiet", options->quiet, "Print nothing; the exit code tells");

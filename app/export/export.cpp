@@ -9,12 +9,16 @@ namespace pupflow::exporting {
 namespace {
 
 constexpr std::array kFormats{
-    Format{"npy", "the field as an array, for numpy; with --out 'NAME-%05d.npy' an image a frame, for ImaGen",
-           write_npy},
+    Format{
+        "npy",
+        "the field as an array, for numpy; with --out 'NAME-%05d.npy' an image a frame, for ImaGen",
+        write_npy},
     Format{"timedarray", "values (frame, channel), dt and start in an .npz file, for Brian2",
            write_timedarray},
-    Format{"gcal", "patterns P and their dims in an HDF5 file, for Wilson's GCAL program", write_gcal},
-    Format{"vtk", "points with T_b, a .vtp file a frame (--out 'NAME-%05d.vtp'), for ParaView and OVITO",
+    Format{"gcal", "patterns P and their dims in an HDF5 file, for Wilson's GCAL program",
+           write_gcal},
+    Format{"vtk",
+           "points with T_b, a .vtp file a frame (--out 'NAME-%05d.vtp'), for ParaView and OVITO",
            write_vtk},
 };
 

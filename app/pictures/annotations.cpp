@@ -22,10 +22,9 @@ view::TextLine caption_of(const LitterView& litter, const Look& look) {
   return caption + (" = " +
                     io::with_celsius(view::tick_label(params.ambient_temperature),
                                      params.ambient_temperature, look.celsius) +
-                    ", " +
-                    io::formatted("%.2f", litter.time) + " s, seed " + std::to_string(params.seed) +
-                    ", " + std::to_string(litter.pups) + (litter.pups == 1 ? " pup, " : " pups, ") +
-                    "color: " + label);
+                    ", " + io::formatted("%.2f", litter.time) + " s, seed " +
+                    std::to_string(params.seed) + ", " + std::to_string(litter.pups) +
+                    (litter.pups == 1 ? " pup, " : " pups, ") + "color: " + label);
 }
 
 }  // namespace

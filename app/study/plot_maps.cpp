@@ -126,8 +126,8 @@ class Maps {
 
   /// Ticks and label of an axis on the panels at the edge, ticks alone elsewhere.
   void axis(const char* name, const Axis& axis, const Ticks& ticks, bool edge) {
-    s_ << "  set " << name << "label \"" << (edge ? label(*axis.parameter, true) : "") << "\"\n  set "
-       << name << "tics ";
+    s_ << "  set " << name << "label \"" << (edge ? label(*axis.parameter, true) : "")
+       << "\"\n  set " << name << "tics ";
     if (by_number(axis)) {
       s_ << "(" << ticks.list(edge) << ")\n";
     } else {

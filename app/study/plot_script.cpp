@@ -142,11 +142,13 @@ std::string four_panels(const Design& design, const Axis& axis,
   }
   std::ostringstream s;
   const auto [low, high] = std::minmax_element(axis.values.begin(), axis.values.end());
-  const int border = temperature ? 7 : 3;           // gnuplot's sides: below, left, above; 8: right
+  const int border = temperature ? 7 : 3;          // gnuplot's sides: below, left, above; 8: right
   const double above = temperature ? 1.16 : 1.05;  // above the axis in degrees
   s << "  set multiplot layout 2,2 margins 0.05,0.92,0.12,"
     << (temperature ? "0.9 spacing 0.12,0.19" : "0.95 spacing 0.12,0.13") << '\n'
-    << "  set border " << border << '\n' << (temperature ? io::celsius_axis("x", *low, *high) : "") << "  set xlabel \"" << label(*axis.parameter) << "\"\n"
+    << "  set border " << border << '\n'
+    << (temperature ? io::celsius_axis("x", *low, *high) : "") << "  set xlabel \""
+    << label(*axis.parameter) << "\"\n"
     << "  set style fill transparent solid 0.2 noborder\n  set key top left Left reverse samplen 2 "
        "textcolor "
        "'#444444'\n"
@@ -160,13 +162,15 @@ std::string four_panels(const Design& design, const Axis& axis,
     const std::string column(field.name);
     const bool first = observable == Observable::mean_tb, flow = observable == Observable::flow;
     s << "\n  set label 3 \"" << letter++ << "   "
-      << (title.empty() ? label(field) : enhanced(title)) << "\" at graph 0, graph " << above << " left\n";
+      << (title.empty() ? label(field) : enhanced(title)) << "\" at graph 0, graph " << above
+      << " left\n";
     if (first) s << "  set border " << (border | 8) << '\n' << celsius_of_tb(summaries);
     if (!first) s << "  unset label 4\n  unset label 5\n";  // drawn with the first panel
     if (ta) s << marks(design, axis, first);
     s << start_of_axis(summaries, first);
     if (flow) {
-      s << "  set border " << (border | 8) << "\n  set y2range [0:*]\n  set y2tics nomirror out textcolor '" << kOrange
+      s << "  set border " << (border | 8)
+        << "\n  set y2range [0:*]\n  set y2tics nomirror out textcolor '" << kOrange
         << "'\n  set ytics textcolor '" << kBlue << "'\n"
         << "  set ylabel 'pup flow |ΔA|/Δt over " << lag << "  (1/s)' textcolor '" << kBlue
         << "' offset 1,0\n"
@@ -181,7 +185,8 @@ std::string four_panels(const Design& design, const Axis& axis,
         << curves.of(std::string(run_statistics()[kExposedSd].name), kOrange, "x1y2", 0.08,
                      "title 'sd of A (right)'");
     }
-    s << '\n' << (first ? io::no_celsius_axis("y") + "  set border " + std::to_string(border) + "\n" : "");
+    s << '\n'
+      << (first ? io::no_celsius_axis("y") + "  set border " + std::to_string(border) + "\n" : "");
   }
   // Back to the settings before panel D, for the other format.
   if (temperature) s << io::no_celsius_axis("x");

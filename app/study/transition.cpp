@@ -125,12 +125,13 @@ std::string transition_text(const Design& design, const Transition& t, bool cels
            ta_text(t.steepest->to, celsius);
   }
   if (base.air_conductance > 0) {
-    text += "; T_p - G/k1 = " +
-            ta_text(base.preferred_temperature - base.thermogenesis / base.air_conductance, celsius);
+    text +=
+        "; T_p - G/k1 = " +
+        ta_text(base.preferred_temperature - base.thermogenesis / base.air_conductance, celsius);
   }
-  text += io::formatted("\nthe standard deviation of A is highest, %.3g, at T_a ",
-                        t.exposed_sd.value) +
-          ta_text(t.exposed_sd.ta, celsius);
+  text +=
+      io::formatted("\nthe standard deviation of A is highest, %.3g, at T_a ", t.exposed_sd.value) +
+      ta_text(t.exposed_sd.ta, celsius);
   text += io::formatted("\npup flow (lag %lld) is highest, %.3g /s, at T_a ",
                         static_cast<long long>(base.flow_lag), t.flow.value) +
           ta_text(t.flow.ta, celsius) + "\n";

@@ -66,8 +66,8 @@ std::size_t length(const std::string& label) {
 /// Characters of the longest label in degrees, as far as it is known before the data. T_p and "°C"
 /// need no more room.
 double longest_celsius(const ColorScale& scale) {
-  std::size_t longest = 4;  // "36.5"
-  if (scale.ends == Ends::field || scale.ends == Ends::typed) {
+  std::size_t longest = 5;  // "−12.5"
+  if (scale.is_fitted() && (scale.ends == Ends::field || scale.ends == Ends::typed)) {
     longest = 3;
     for (const Tick& tick : celsius_ticks(scale)) longest = std::max(longest, length(tick.label));
   }

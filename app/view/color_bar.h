@@ -22,7 +22,7 @@ TextLine title_of(const Field& field);
 struct ColorBarStyle {
   double text_size = 16;  // em of the tick labels, pixels
   Rgb ink{40, 40, 40};
-  bool titled = true;  // says what field it is of
+  bool titled = true;    // says what field it is of
   bool celsius = false;  // a temperature's bar has degrees on its left, too
 };
 

@@ -22,19 +22,18 @@ using Words = std::vector<std::string>;
 
 /// Words of CLI11, toml++, libhdf5, libpng and the C++ library.
 constexpr const char* kOfLibraries[] = {
-    "required",   "requires", "not in range", "Value ",  "disallowed", "At Most", "At most",
-    "Error while", "expected", "H5",           "libpng",  "std::",      "basic_",  "terminate",
-    "what()",     "internal", "stod",         "stoi",    "could not",  "TEXT",    "INT"};
+    "required",    "requires", "not in range", "Value ", "disallowed", "At Most", "At most",
+    "Error while", "expected", "H5",           "libpng", "std::",      "basic_",  "terminate",
+    "what()",      "internal", "stod",         "stoi",   "could not",  "TEXT",    "INT"};
 
 /// What keeps each verb's work small.
-const std::map<std::string, Words> kSmall{
-    {"run", {"--steps", "0"}},
-    {"render", {"--steps", "0", "--size", "64x64"}},
-    {"figure1", {"--steps", "0", "--panel", "120"}},
-    {"figure2", {"--steps", "1"}},
-    {"sweep", {"--steps", "1", "--vary", "ta=0.2,0.4"}},
-    {"explain", {"--steps", "0", "--after", "0"}},
-    {"live", {"--exit-after", "0"}}};
+const std::map<std::string, Words> kSmall{{"run", {"--steps", "0"}},
+                                          {"render", {"--steps", "0", "--size", "64x64"}},
+                                          {"figure1", {"--steps", "0", "--panel", "120"}},
+                                          {"figure2", {"--steps", "1"}},
+                                          {"sweep", {"--steps", "1", "--vary", "ta=0.2,0.4"}},
+                                          {"explain", {"--steps", "0", "--after", "0"}},
+                                          {"live", {"--exit-after", "0"}}};
 
 class CliWords : public testing::Test {
  protected:
@@ -88,7 +87,8 @@ class CliWords : public testing::Test {
 };
 
 TEST_F(CliWords, AreItsOwnForEveryOptionAndValue) {
-  const Words values{"", "abc", "-1", "1e400", "nan", "99999999999999999999", "folder", "none.toml"};
+  const Words values{"",       "abc",      "-1", "1e400", "nan", "99999999999999999999",
+                     "folder", "none.toml"};
   int tried = 0;
   for (const std::string& verb : names_in("Verbs", pupflow({"--help"}).out)) {
     const std::string help = pupflow({verb, "--help"}).out;
@@ -160,25 +160,25 @@ TEST_F(CliWords, AFrameBehindTheLastStepIsRefusedWhereThatWasTyped) {
 }
 
 TEST_F(CliWords, TellWhatIsWrongWithAScene) {
-  const std::map<std::string, std::string> problems{
-      {"ta =", "a value is missing"},
-      {"ta 0.2", "a '=' is missing"},
-      {"ta = cold", "a text needs quotes"},
-      {"ta = 0.2 0.3", "more follows on the line"},
-      {"ta = 1\nta = 2", "given twice"},
-      {"start = \"column", "closing quote"},
-      {"steps = 99999999999999999999", "too large"},
-      {"ta = 1.", "is no number"},
-      {"[[at]", "heading of a table"},
-      {"= 3", "is no TOML"},
-      {"\xff\xfe", "UTF-8"}};
+  const std::map<std::string, std::string> problems{{"ta =", "a value is missing"},
+                                                    {"ta 0.2", "a '=' is missing"},
+                                                    {"ta = cold", "a text needs quotes"},
+                                                    {"ta = 0.2 0.3", "more follows on the line"},
+                                                    {"ta = 1\nta = 2", "given twice"},
+                                                    {"start = \"column", "closing quote"},
+                                                    {"steps = 99999999999999999999", "too large"},
+                                                    {"ta = 1.", "is no number"},
+                                                    {"[[at]", "heading of a table"},
+                                                    {"= 3", "is no TOML"},
+                                                    {"\xff\xfe", "UTF-8"}};
   for (const auto& [text, what] : problems) {
     fs::remove_all(work_);
     fs::create_directories(work_);
     const std::string scene = scratch_.file("scene.toml", text);
     const Outcome outcome = test::run_program(program(), {"run", scene}, work_.string());
     EXPECT_EQ(outcome.code, 2) << text;
-    EXPECT_THAT(outcome.err, testing::MatchesRegex("pupflow: [^\n]*scene.toml:[0-9]+:[0-9]+: [^\n]+\n"));
+    EXPECT_THAT(outcome.err,
+                testing::MatchesRegex("pupflow: [^\n]*scene.toml:[0-9]+:[0-9]+: [^\n]+\n"));
     EXPECT_THAT(outcome.err, HasSubstr(what)) << text;
   }
 }

@@ -97,8 +97,8 @@ void flow_section(Report& report) {
   report.figure("flow", "Pup flow over four lags, in steps; bars are two standard errors",
                 "  set border 7\n" + io::celsius_axis("x", 0, 1) +
                     "  set xlabel 'ambient temperature T_a'\n  set ylabel 'pup flow (1/s)'\n"
-                "  set yrange [0:*]\n  set grid lc '#dddddd'\n  set key top left Left reverse\n"
-                "  plot " +
+                    "  set yrange [0:*]\n  set grid lc '#dddddd'\n  set key top left Left reverse\n"
+                    "  plot " +
                     plots + "\n",
                 base);
 }

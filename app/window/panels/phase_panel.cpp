@@ -101,7 +101,7 @@ void draw_phase_panel(const PanelInput& in) {
   const float width = std::max(ImGui::GetContentRegionAvail().x - plot_margin_left(), 10.0f);
   const Area paper{{corner.x + plot_margin_left(), corner.y + 1.3f * em},
                    {width, kPaperLines * em}};
-  const float below = plot_margin_below(in.fonts);
+  const float below = plot_margin_below(in.fonts, true);
   ImGui::Dummy({plot_margin_left() + width, (1.3f + kPaperLines) * em + below});
   in.events.widget("phase-plot");
   if (!ImGui::IsItemVisible()) return;
@@ -120,7 +120,7 @@ void draw_phase_panel(const PanelInput& in) {
   const PlotColors colors = plot_colors();
   std::string note;
   {
-    const Plot plot(in.fonts, paper, {.x = x, .y = y});
+    const Plot plot(in.fonts, paper, {.x = x, .y = y, .x_celsius = true});
     draw_reference(plot, colors);
     draw_trail(plot, second, colors.second);
     draw_trail(plot, trail, colors.curve);

@@ -121,9 +121,9 @@ Verb add_doctor(CLI::App& program) {
   CommonHelp help;
   help.scene = false;
   help.settings = "checked, but the report does not depend on it";
-  help.threads = "Accepted everywhere; does nothing here";
+  help.threads = "No effect here; every verb takes it";
   help.out = "Write the report to a file instead of standard output";
-  help.quiet = "Accepted everywhere; the report is all that is printed";
+  help.quiet = "No effect here; the report is all that is printed";
   add_common(*app, options->common, help);
   add_json(*app, options->json);
   app->footer("Exit code 0 whenever it could report, also when something is missing.");

@@ -51,7 +51,8 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
       height_(height),
       bar_(bar),
       look_(look),
-      style_{.text_size = std::clamp(std::min<double>(height, 0.75 * width) / 48, 9.0, 64.0)},
+      style_{.text_size = std::clamp(std::min<double>(height, 0.75 * width) / 48, 9.0, 64.0),
+             .celsius = look.celsius},
       margins_(view::color_bar_margins(look.scale, style_)),
       bar_width_(static_cast<int>(std::lround(1.3 * style_.text_size))),
       trails_(look.trail) {
@@ -173,6 +174,7 @@ io::TextEntries look_entries(const Look& look, const view::ColorScale& scale) {
     entries.emplace_back("trail", io::number_text(look.trail));
   }
   if (look.caption) entries.emplace_back("caption", "true");
+  if (look.celsius) entries.emplace_back("celsius", "true");
   if (look.transparent) entries.emplace_back("transparent", "true");
   if (look.dpi > 0) entries.emplace_back("dpi", std::to_string(look.dpi));
   return entries;

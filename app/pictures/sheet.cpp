@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "app/io/atomic_file.h"
+#include "app/io/celsius.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
@@ -61,13 +62,15 @@ std::size_t panel_count(const SheetJob& job) {
 }
 
 /// What is written over a panel of one value of the axis.
-view::TextLine title_of(const Parameter& parameter, const Params& params) {
+view::TextLine title_of(const Parameter& parameter, const Params& params, bool celsius) {
   const bool real = parameter.kind == Parameter::Kind::real;
+  const double value = parameter.get(params);
   const view::TextLine name = parameter.symbol.empty()
                                   ? view::TextLine{{std::string(parameter.name)}}
                                   : view::symbol(parameter.symbol);
-  return name + (" = " + (real ? view::tick_label(parameter.get(params))
-                               : format_value(parameter, params)));
+  return name +
+         (" = " + io::with_celsius(real ? view::tick_label(value) : format_value(parameter, params),
+                                   value, celsius && io::is_temperature(parameter)));
 }
 
 /// The litters at their starts, the values of the first axis side by side.
@@ -88,7 +91,7 @@ std::vector<Panel> make_panels(const SheetJob& job) {
         title = title + ",  ";
       }
       name += std::string(parameter.name) + " = " + format_value(parameter, params);
-      title = title + title_of(parameter, params);
+      title = title + title_of(parameter, params, job.look.celsius);
     }
     panels.push_back(
         {observed_litter(params, job.look.parts() | caption_parts(job.look)), name, title});
@@ -147,6 +150,7 @@ struct Layout {
     title = static_cast<int>(std::lround(1.7 * text));
     bar_style.text_size = 0.72 * text;
     bar_style.ink = kInk;
+    bar_style.celsius = job.look.celsius;
     bar_margins = view::color_bar_margins(job.look.scale, bar_style);
   }
 
@@ -181,7 +185,8 @@ view::ColorScale common_scale(const Look& look, const std::vector<Panel>& panels
 }
 
 /// What a litter comes to, small, in the upper corners of its panel.
-void add_caption(io::Image& scene, view::TextPainter& text, const LitterView& litter, double size) {
+void add_caption(io::Image& scene, view::TextPainter& text, const LitterView& litter, double size,
+                 bool celsius) {
   const auto mean = [](std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) /
            static_cast<double>(std::max<std::size_t>(values.size(), 1));
@@ -192,7 +197,9 @@ void add_caption(io::Image& scene, view::TextPainter& text, const LitterView& li
   const auto line = [&](double x, int row, const view::TextLine& words, view::Align align) {
     text.draw(scene, x, margin + (0.8 + 1.3 * row) * small, words, small, kInk, align);
   };
-  line(margin, 0, view::symbol("T", "b") + io::formatted(" %.3f", mean(litter.tb)),
+  const double tb = mean(litter.tb);
+  line(margin, 0,
+       view::symbol("T", "b") + (" " + io::with_celsius(io::formatted("%.3f", tb), tb, celsius)),
        view::Align::left);
   line(margin, 1, {{io::formatted("1 − A %.2f", 1 - mean(litter.exposed))}}, view::Align::left);
   line(right, 0, {{"groups " + std::to_string(sizes.size())}}, view::Align::right);
@@ -222,7 +229,7 @@ io::Image draw_panel(const SheetJob& job, const Simulation& simulation,
   view::flatten(marks, projection, scene.height / view::kMarkRows, flats);
   add_scale_bar(flats, scene.width, scene.height, camera, size, kInk);
   view::paint(scene, text, flats);
-  if (job.look.caption) add_caption(scene, text, litter, size);
+  if (job.look.caption) add_caption(scene, text, litter, size, job.look.celsius);
   return scene;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "app/io/celsius.h"
 #include "app/io/failure.h"
 #include "app/io/text.h"
 #include "app/view/color_bar.h"
@@ -175,8 +176,10 @@ void LegendPanel::draw_end(ScaleEnd end, const view::ColorScale& fitted, const P
   const char* const name = name_of(end);
   const auto typed = text_.draw((std::string("##") + name).c_str(), shown, width);
   in.events.widget(name);
-  in.tips.show(end == ScaleEnd::high ? "The value at the upper end: type it, or drag the end"
-                                     : "The value at the lower end: type it, or drag the end");
+  std::string tip = end == ScaleEnd::high ? "The value at the upper end: type it, or drag the end"
+                                          : "The value at the lower end: type it, or drag the end";
+  if (fitted.is_temperature()) tip += "\nnow " + io::celsius_text(value) + "; 0.6 is 37 \u00b0C";
+  in.tips.show(tip);
   if (!typed) return;
   const Typed read = read_typed(*typed);
   if (const auto* reason = std::get_if<std::string>(&read)) {

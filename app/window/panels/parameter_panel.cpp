@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/io/celsius.h"
 #include "app/window/imgui_compat.h"
 #include "app/window/panels/resets.h"
 #include "app/window/session/parameter_text.h"
@@ -48,6 +49,9 @@ void tooltip(const Parameter& parameter, const PanelInput& in) {
   const auto line = [](const char* what, const std::string& text) {
     if (!text.empty()) ImGui::TextDisabled("%s: %s", what, text.c_str());
   };
+  if (io::is_temperature(parameter)) {
+    line("now", io::celsius_text(parameter.get(in.controls.params)) + "; 0.6 is 37 \u00b0C");
+  }
   line("unit", std::string(parameter.unit));
   line("allowed", range_text(parameter));
   line("default", format_value(parameter, parameter.default_value()));

@@ -1,6 +1,6 @@
-// Takes the place of app/io/trial.cpp in libFuzzer's targets: HDF5 goes round in circles in one of forty
+// Takes the place of app/io/trial.cpp in the fuzz targets: HDF5 goes round in circles in one of forty
 // damaged files, and the program's limit of seconds would be most of what a search takes. Files are
-// small here, so a fraction of a second is as good. The replay of the corpus has the program's own.
+// small here, so a fraction of a second does. Tests named Trial and Checkpoint have the program's own.
 #include <fcntl.h>
 #include <sys/time.h>
 #include <sys/wait.h>
@@ -14,7 +14,7 @@
 namespace pupflow::io {
 namespace {
 
-constexpr suseconds_t kMicroseconds = 60'000;  // of processor time; a sound file takes 5'000
+constexpr suseconds_t kMicroseconds = 50'000;  // of processor time; a sound file takes 5'000
 
 [[noreturn]] void work_and_end(const std::function<void()>& work) {
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPROF}) {

@@ -4,45 +4,59 @@
 #include <cstddef>
 #include <span>
 
+#include "app/gl/uniforms.h"
+
 namespace pupflow::gl {
 
 namespace {
 
 // Brightness at a sphere's outline. Its middle has exactly the color of its point.
 constexpr float kEdgeShade = 0.88f;
-constexpr GLint kWallSegments = 256, kPlaneSegments = 32;
-constexpr float kGridShade = 0.93f;                        // brightness of the lines
 constexpr std::size_t kKeptBytes = std::size_t{32} << 20;  // of a picture whose store stays
-constexpr int kMostLines = 80;                             // of a grid across the floor
 constexpr float kUsualRows = 960;                          // higher pictures have wider lines
-constexpr float kRimWidth = 1.4f;                          // pixels
 
-void set_color(const Program& program, const char* name, view::Rgb color) {
-  glUniform3f(program.uniform(name), static_cast<float>(color.r) / 255,
-              static_cast<float>(color.g) / 255, static_cast<float>(color.b) / 255);
-}
+/// Where the attributes of a vertex lie in the bound buffer, for the bound vertex array.
+struct Layout {
+  GLsizei stride;
+  GLuint divisor;  // 0: one a vertex; 1: one an instance
 
-void set_camera(const Program& program, const view::CameraMatrices& matrices) {
-  glUseProgram(program.name());
-  glUniformMatrix4fv(program.uniform("eye_from_world"), 1, GL_FALSE,
-                     matrices.eye_from_world.data());
-  glUniformMatrix4fv(program.uniform("clip_from_eye"), 1, GL_FALSE, matrices.clip_from_eye.data());
-  const Eigen::Matrix4f clip_from_world = matrices.clip_from_eye * matrices.eye_from_world;
-  glUniformMatrix4fv(program.uniform("clip_from_world"), 1, GL_FALSE, clip_from_world.data());
-  glUniform1i(program.uniform("perspective"), matrices.perspective ? 1 : 0);
-}
+  void floats(GLuint attribute, GLint count, std::size_t offset) const {
+    set(attribute, count, GL_FLOAT, offset);
+  }
+  void bytes(GLuint attribute, GLint count, std::size_t offset) const {  // as shares of 255
+    set(attribute, count, GL_UNSIGNED_BYTE, offset);
+  }
 
-/// How the bound vertex array finds view::Vertex in the bound buffer, one a vertex or an instance.
-void lay_out_vertices(GLuint divisor) {
-  constexpr GLsizei kStride = sizeof(view::Vertex);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, nullptr);
-  // OpenGL wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
-  const auto* colors = reinterpret_cast<const void*>(offsetof(view::Vertex, r));
-  glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, colors);
-  for (const GLuint attribute : {0u, 1u}) {
+ private:
+  void set(GLuint attribute, GLint count, GLenum type, std::size_t offset) const {
+    // OpenGL wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    glVertexAttribPointer(attribute, count, type, GL_TRUE, stride,
+                          reinterpret_cast<const void*>(offset));
     glEnableVertexAttribArray(attribute);
     glVertexAttribDivisor(attribute, divisor);
   }
+};
+
+/// How the bound vertex array finds view::Vertex in the bound buffer, one a vertex or an instance.
+void lay_out_vertices(GLuint divisor) {
+  const Layout layout{sizeof(view::Vertex), divisor};
+  layout.floats(0, 3, 0);
+  layout.bytes(1, 4, offsetof(view::Vertex, r));
+}
+
+/// The same of view::Ellipsoid.
+void lay_out_ellipsoids() {
+  using view::Ellipsoid;
+  const Layout layout{sizeof(Ellipsoid), 1};
+  layout.floats(0, 3, offsetof(Ellipsoid, centre));
+  layout.floats(1, 3, offsetof(Ellipsoid, shape));
+  layout.floats(2, 3, offsetof(Ellipsoid, shape) + 3 * sizeof(float));
+  layout.bytes(3, 4, offsetof(Ellipsoid, color));
+  layout.bytes(4, 3, offsetof(Ellipsoid, sky));
+  layout.bytes(5, 3, offsetof(Ellipsoid, sky) + 4);
+  layout.bytes(6, 3, offsetof(Ellipsoid, key));
+  layout.bytes(7, 3, offsetof(Ellipsoid, key) + 4);
+  layout.floats(8, 1, offsetof(Ellipsoid, radius));
 }
 
 /// A fresh store each time: the driver need not wait for the last frame's.
@@ -79,6 +93,7 @@ void Renderer::Mesh::draw() const {
 Renderer::Renderer(const std::string& shader_dir)
     : spheres_program_(shader_dir, "spheres.vert", "spheres.frag"),
       sphere_edges_program_(shader_dir, "spheres.vert", "sphere_edges.frag"),
+      ellipsoids_program_(shader_dir, "ellipsoids.vert", "ellipsoids.frag"),
       skin_program_(shader_dir, "skin.vert", "skin.frag"),
       plane_program_(shader_dir, "plane.vert", "plane.frag"),
       wall_program_(shader_dir, "wall.vert", "wall.frag"),
@@ -87,11 +102,16 @@ Renderer::Renderer(const std::string& shader_dir)
   glBindVertexArray(spheres_array_.name());
   glBindBuffer(GL_ARRAY_BUFFER, spheres_buffer_.name());
   lay_out_vertices(1);
+  glBindVertexArray(ellipsoids_array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, ellipsoids_buffer_.name());
+  lay_out_ellipsoids();
 }
 
 void Renderer::upload(const view::DrawList& list) {
   fill(GL_ARRAY_BUFFER, spheres_buffer_, list.spheres());
+  fill(GL_ARRAY_BUFFER, ellipsoids_buffer_, list.ellipsoids());
   count_ = static_cast<GLsizei>(list.spheres().size());
+  ellipsoids_count_ = static_cast<GLsizei>(list.ellipsoids().size());
   skin_.upload(list.skin());
   outline_.upload(list.outline());
   soft_ = list.drawing().quality != view::Quality::fast;
@@ -209,11 +229,13 @@ void Renderer::draw_scene(const view::CameraMatrices& matrices, bool from_below,
   skin_.draw();
   glDisable(GL_CULL_FACE);
   draw_spheres(matrices, viewport.height);
+  if (!soft_) draw_ellipsoids(matrices, viewport.height);
   draw_wall(matrices, outside, -view::kSlabDepth * arena_radius_, 0, palette.slab, false);
 
   // Then what covers pixels in part.
   glEnable(GL_BLEND);
   draw_floor(matrices, from_below, palette);
+  if (soft_) draw_ellipsoids(matrices, viewport.height);  // furthest first
   glDepthMask(GL_FALSE);
   draw_soft_edges(matrices);
   draw_wall(matrices, arena_radius_, 0, wall_height_, palette.glass, true);
@@ -224,56 +246,6 @@ void Renderer::draw_scene(const view::CameraMatrices& matrices, bool from_below,
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
-}
-
-void Renderer::draw_floor(const view::CameraMatrices& matrices, bool from_below,
-                          const Palette& palette) {
-  const float outside = (1 + view::kRimWidth) * arena_radius_;
-  set_camera(plane_program_, matrices);
-  set_color(plane_program_, "floor_color", from_below ? palette.slab : palette.floor);
-  set_color(plane_program_, "slab_color", palette.slab);
-  const bool grid = !from_below && 2 * arena_radius_ < kMostLines * kGridSpacing;
-  glUniform1f(plane_program_.uniform("height"), from_below ? -view::kSlabDepth * arena_radius_ : 0);
-  glUniform1f(plane_program_.uniform("floor_radius"), arena_radius_);
-  glUniform1f(plane_program_.uniform("outer_radius"), outside);
-  glUniform1f(plane_program_.uniform("spacing"), grid ? kGridSpacing : 0);
-  glUniform1f(plane_program_.uniform("line_width"), line_scale_);
-  glUniform1f(plane_program_.uniform("grid_shade"), kGridShade);
-  glUniform1i(plane_program_.uniform("lit"), lit_ && !from_below ? 1 : 0);
-  glUniform1i(plane_program_.uniform("light"), 0);
-  glUniform1i(plane_program_.uniform("segments"), kPlaneSegments);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, light_.name());
-  glBindVertexArray(empty_array_.name());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kPlaneSegments + 1));
-}
-
-void Renderer::draw_wall(const view::CameraMatrices& matrices, float radius, float bottom,
-                         float top, view::Rgb color, bool glass) {
-  set_camera(wall_program_, matrices);
-  set_color(wall_program_, "color", color);
-  glUniform1i(wall_program_.uniform("glass"), glass ? 1 : 0);
-  glUniform1f(wall_program_.uniform("radius"), radius);
-  glUniform1f(wall_program_.uniform("bottom"), bottom);
-  glUniform1f(wall_program_.uniform("top"), top);
-  glUniform1i(wall_program_.uniform("segments"), kWallSegments);
-  glBindVertexArray(empty_array_.name());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kWallSegments + 1));
-}
-
-void Renderer::draw_rim(const view::CameraMatrices& matrices, const Viewport& viewport,
-                        float radius, float height, float opacity, view::Rgb color) {
-  set_camera(rim_program_, matrices);
-  set_color(rim_program_, "color", color);
-  glUniform1f(rim_program_.uniform("radius"), radius);
-  glUniform1f(rim_program_.uniform("height"), height);
-  glUniform1f(rim_program_.uniform("opacity"), opacity);
-  glUniform1f(rim_program_.uniform("half_width"), kRimWidth / 2 * line_scale_ + 0.5f);
-  glUniform2f(rim_program_.uniform("half_viewport"), static_cast<float>(viewport.width) / 2,
-              static_cast<float>(viewport.height) / 2);
-  glUniform1i(rim_program_.uniform("segments"), kWallSegments);
-  glBindVertexArray(empty_array_.name());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kWallSegments + 1));
 }
 
 void Renderer::draw_spheres(const view::CameraMatrices& matrices, int rows) {
@@ -289,6 +261,28 @@ void Renderer::draw_spheres(const view::CameraMatrices& matrices, int rows) {
   }
   glBindVertexArray(spheres_array_.name());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
+}
+
+void Renderer::draw_ellipsoids(const view::CameraMatrices& matrices, int rows) {
+  if (ellipsoids_count_ == 0) return;
+  const Program& program = ellipsoids_program_;
+  set_camera(program, matrices);
+  const Eigen::Matrix3f turn = matrices.eye_from_world.topLeftCorner<3, 3>();
+  const Eigen::Vector3f eye = -turn.transpose() * matrices.eye_from_world.topRightCorner<3, 1>();
+  glUniform3fv(program.uniform("eye"), 1, eye.data());
+  const Eigen::Vector3f backward = turn.row(2);
+  glUniform3fv(program.uniform("backward"), 1, backward.data());
+  glUniform1f(program.uniform("pixel"),
+              2 / (matrices.clip_from_eye(1, 1) * static_cast<float>(rows)));
+  glUniform1i(program.uniform("soft"), soft_ ? 1 : 0);
+  const view::LightModel& light = view::light_model();
+  const Eigen::Vector3f lamp = view::key_light();
+  glUniform3fv(program.uniform("lamp"), 1, lamp.data());
+  glUniform3f(program.uniform("strengths"), light.key, light.sky, light.floor);
+  glUniform3f(program.uniform("limits"), light.full, light.least, light.low_sky);
+  glUniform1f(program.uniform("gamma"), view::LightModel::kGamma);
+  glBindVertexArray(ellipsoids_array_.name());
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, ellipsoids_count_);
 }
 
 void Renderer::draw_soft_edges(const view::CameraMatrices& matrices) {

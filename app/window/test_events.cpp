@@ -181,7 +181,7 @@ void TestEvents::note(const std::string& kind, const std::string& text) {
 void TestEvents::frame(int samples) {
   ++frames_;
   if (on_) forget_widgets();
-  if (on_ && samples_ != samples) say("samples " + std::to_string(samples));
+  if (on_ && samples != 0 && samples_ != samples) say("samples " + std::to_string(samples));
   samples_ = samples;
 }
 

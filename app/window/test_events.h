@@ -68,7 +68,7 @@ class TestEvents {
   void screenshot(const std::string& path);
   /// The line "KIND TEXT", when the text changes.
   void note(const std::string& kind, const std::string& text);
-  /// A frame is on the screen.
+  /// A frame is on the screen, its arena with so many samples; 0: without an arena.
   void frame(int samples);
   void closed() const;
 

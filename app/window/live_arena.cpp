@@ -106,6 +106,8 @@ void LiveWindow::label_arenas(const ArenaAreas& areas) const {
 void LiveWindow::paint(const DrawnArenas& drawn) {
   painter_.paint(*gui_, drawn.images, drawn.anew, gl::Palette{}.background);
   if (painter_.unsettled()) schedule_.panels_changed();
+  if (!arena_.drawing()) drawn_params_ = runner_.snapshot().view().params;
+  events_.shown(controls_.params, drawn_params_);
   events_.camera(arena_.camera());
   events_.frame(arena_.drawn_samples());
 }

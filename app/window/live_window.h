@@ -145,6 +145,7 @@ class LiveWindow {
   ArenaMarks marks_;
   bool unmarked_ = true;  // as in the second arena
   std::unique_ptr<SecondArena> second_;
+  Params drawn_params_;                         // of the litter that the arena shows
   int picture_width_ = 0, picture_height_ = 0;  // of arena and legend, pixels
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
   Controls controls_;

@@ -247,20 +247,35 @@ void LiveWindow::close_front() {
   }
 }
 
+/// It is drawn and written with the arena; the window goes on meanwhile.
 void LiveWindow::take_picture() {
+  struct Taken {
+    Taken(int width, int height, const pictures::Look& shown)
+        : look(shown), picture(width, height, true, shown) {}
+    pictures::Look look;
+    pictures::Picture picture;
+    std::string path, problem;
+  };
   const LiveState& snapshot = runner_.snapshot();
-  try {
-    const std::string path = picture_path(job_.screenshot, snapshot.view().step);
-    pictures::Look look = controls_.look;
-    look.scale = scale_;
-    const auto side = [](int pixels) { return std::max(pixels, pictures::kSmallestSide); };
-    arena_.write_picture(path, snapshot, look, marks_.trails(), side(picture_width_),
-                         side(picture_height_));
-    events_.screenshot(path);
-    show("saved " + path);
-  } catch (const io::Failure& failure) {
-    show(failure.what());  // a full disk does not end the run
-  }
+  pictures::Look look = controls_.look;
+  look.scale = scale_;
+  const auto side = [](int pixels) { return std::max(pixels, pictures::kSmallestSide); };
+  const auto taken = std::make_shared<Taken>(side(picture_width_), side(picture_height_), look);
+  taken->picture.remember(marks_.trails());
+  const auto write =
+      [taken, &snapshot, pattern = job_.screenshot,
+       camera = arena_.camera_for(taken->picture, snapshot.view())](gl::Renderer& renderer) {
+        try {
+          taken->path = picture_path(pattern, snapshot.view().step);
+          write_picture(taken->path, renderer, taken->picture, snapshot, camera, taken->look);
+        } catch (const io::Failure& failure) {
+          taken->problem = failure.what();  // a full disk does not end the run
+        }
+      };
+  arena_.start(write, [this, taken] {
+    if (taken->problem.empty()) events_.screenshot(taken->path);
+    show(taken->problem.empty() ? "saved " + taken->path : taken->problem);
+  });
 }
 
 void LiveWindow::save_csv(StepRange steps) {

@@ -48,8 +48,14 @@ class LiveWindow {
   };
   struct DrawnArenas {  // in this frame
     std::vector<Painter::Image> images;
-    bool anew;
-    int samples;
+    bool anew = false;
+  };
+  struct FilmFrame {  // under way to the film
+    io::Image image;
+    std::int64_t step;
+    bool bad;  // the last one: the numbers went wrong
+    std::string problem;
+    bool drawn;
   };
   struct SecondArena {  // while comparing
     ArenaView view;
@@ -89,9 +95,12 @@ class LiveWindow {
   // live_film.cpp: films.
   void switch_film();
   void film_snapshot();
+  void feed_film();
   bool film_takes(Action action);
   void film_follows(const Command& command);
   void end_film();
+  void drop_film();
+  void settle_ended_film(bool wait);
 
   // live_desk.cpp: scenes, settings, closing.
   bool changed() const;
@@ -136,6 +145,7 @@ class LiveWindow {
   ArenaMarks marks_;
   bool unmarked_ = true;  // as in the second arena
   std::unique_ptr<SecondArena> second_;
+  Params drawn_params_;                         // of the litter that the arena shows
   int picture_width_ = 0, picture_height_ = 0;  // of arena and legend, pixels
   std::unique_ptr<Gui> gui_;  // made after this window's own callbacks, which it then calls
   Controls controls_;
@@ -145,7 +155,8 @@ class LiveWindow {
   Tips tips_;
   Runner runner_;
   RedrawSchedule schedule_;
-  std::unique_ptr<Film> film_;
+  std::unique_ptr<Film> film_, ended_film_;  // the latter is still being finished
+  std::shared_ptr<FilmFrame> film_frame_;
   bool film_holds_ = false;  // it takes no further steps
   SceneDesk desk_;
   Dialogs dialogs_;

@@ -1,18 +1,12 @@
 #include "app/window/arena_view.h"
 
-#include <filesystem>
 #include <utility>
 
-#include "app/io/frame_path.h"
-#include "app/io/provenance.h"
-#include "app/io/text.h"
-#include "app/pictures/picture.h"
 #include "app/view/framing.h"
 
 namespace pupflow::window {
 namespace {
 
-constexpr const char* kPattern = "pupflow-%05d.png";
 constexpr double kForever = 3600;  // seconds
 
 }  // namespace
@@ -58,45 +52,6 @@ bool ArenaView::finish(double patience) {
   drawn_ = wanted_;
   uploaded_ = false;
   return true;
-}
-
-io::Image ArenaView::picture(pictures::Picture& picture, const LiveState& snapshot) {
-  const LitterView litter = snapshot.view();
-  uploaded_ = false;  // from here on the renderer holds what this picture shows
-  return picture.draw(renderer_, litter,
-                      view::framed(camera_, litter.params, picture.scene_aspect()));
-}
-
-void ArenaView::write_picture(const std::string& path, const LiveState& snapshot,
-                              const pictures::Look& look, const view::Trails& trails, int width,
-                              int height) {
-  const LitterView litter = snapshot.view();
-  pictures::Picture picture(width, height, true, look);
-  picture.remember(trails);
-  const view::Camera camera = view::framed(camera_, litter.params, picture.scene_aspect());
-  const io::Image image = this->picture(picture, snapshot);
-
-  io::TextEntries extra{{"picture", "live"}, {"step", std::to_string(litter.step)}};
-  const auto add = [&](const io::TextEntries& more) {
-    extra.insert(extra.end(), more.begin(), more.end());
-  };
-  add(pictures::camera_entries(camera));
-  add({{"size", std::to_string(width) + "x" + std::to_string(height)}});
-  if (snapshot.hash) add({{"hash", io::hash_text(*snapshot.hash)}});
-  add(picture.look_entries());
-  io::write_png(path, image, io::provenance(litter.recipe, extra), false,
-                pictures::png_options(look));
-}
-
-std::string picture_path(const std::string& pattern, std::int64_t step) {
-  const std::string first = io::frame_path(pattern.empty() ? kPattern : pattern, step);
-  const std::filesystem::path path(first);
-  std::string candidate = first;
-  for (int number = 2; std::filesystem::exists(candidate); ++number) {
-    candidate = (path.parent_path() / path.stem()).string() + '-' + std::to_string(number) +
-                path.extension().string();
-  }
-  return candidate;
 }
 
 }  // namespace pupflow::window

@@ -1,14 +1,12 @@
-// The arena in its part of the window: the camera that the mouse moves, drawing, pictures.
+// The arena in its part of the window: the camera that the mouse moves, drawing.
 #pragma once
 
 #include <functional>
 #include <span>
-#include <string>
 
 #include "app/gl/renderer.h"
 #include "app/gl/target.h"
 #include "app/pictures/look.h"
-#include "app/pictures/picture.h"
 #include "app/view/camera.h"
 #include "app/view/draw_list.h"
 #include "app/window/session/session.h"
@@ -58,14 +56,11 @@ class ArenaView {
   /// What was drawn.
   const gl::Target& store() const { return store_; }
 
-  /// The picture of `snapshot` that `picture` makes from here.
-  io::Image picture(pictures::Picture& picture, const LiveState& snapshot);
-
-  /// Writes the picture of `width` x `height` pixels that `pupflow render` would make from here with
-  /// that look and those trails, with the color bar and all that is needed to make it again.
-  /// Overwrites nothing. Throws Failure.
-  void write_picture(const std::string& path, const LiveState& snapshot, const pictures::Look& look,
-                     const view::Trails& trails, int width, int height);
+  /// For pictures, which upload what they show.
+  gl::Renderer& lend_renderer() {
+    uploaded_ = false;
+    return renderer_;
+  }
 
  private:
   static constexpr double kPatience = 0.006;  // seconds
@@ -92,10 +87,5 @@ class ArenaView {
   int drawn_samples_ = 0;
   Worker worker_;  // last: it uses next_
 };
-
-/// Where the next picture goes: `pattern` (with %d or %05d for the step; empty: pupflow-%05d.png)
-/// with the step filled in, and -2, -3 ... added before the ending until no such file exists.
-/// Throws Failure(bad_input) for a bad pattern.
-std::string picture_path(const std::string& pattern, std::int64_t step);
 
 }  // namespace pupflow::window

@@ -1,4 +1,5 @@
 // Filming in the live window: while it films, it asks for the steps of one frame after the other.
+#include <utility>
 #include <variant>
 
 #include "app/io/failure.h"
@@ -14,8 +15,10 @@ void LiveWindow::switch_film() {
   }
   const LiveState& state = runner_.snapshot();
   try {
-    film_ = std::make_unique<Film>(film_path(state.view().step), state.view(), controls_.look,
-                                   arena_.camera(), controls_.speed);
+    SeenPicture picture = new_picture(controls_.look);
+    picture.refuse_large();
+    film_ = std::make_unique<Film>(film_path(state.view().step), state.view(), std::move(picture),
+                                   controls_.look, arena_.camera(), controls_.speed);
     film_holds_ = false;
     controls_.commands.push_back(Advance{0});  // pauses: from here on the film asks for the steps
     controls_.filmed = 0;
@@ -33,7 +36,8 @@ void LiveWindow::film_snapshot() {
   const bool bad = !state.status.ok();  // the step of the next frame will not come
   if (state.playing || (!bad && !film_->due(step))) return;
   try {
-    film_->add(arena_.picture(film_->picture(), state), step);
+    fit_scale();
+    film_->add(paint_picture(film_->picture()), step);
     controls_.filmed = film_->seconds();
   } catch (const io::Failure& failure) {
     film_.reset();

@@ -50,13 +50,6 @@ void Target::bind() const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
 }
 
-void Target::copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-  glBlitFramebuffer(part.x, part.y, part.x + part.width, part.y + part.height, x, y, x + part.width,
-                    y + part.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-}
-
 io::Image Target::read() const {
   io::Image image(width_, height_);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
@@ -68,6 +61,20 @@ io::Image Target::read() const {
     std::swap_ranges(image.pixel(0, y), image.pixel(0, y) + row, image.pixel(0, height_ - 1 - y));
   }
   return image;
+}
+
+void SharedPicture::show(GLuint texture, int width, int height) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  width_ = width;
+  height_ = height;
+}
+
+void SharedPicture::copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  glBlitFramebuffer(part.x, part.y, part.x + part.width, part.y + part.height, x, y, x + part.width,
+                    y + part.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 }  // namespace pupflow::gl

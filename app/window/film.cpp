@@ -34,12 +34,14 @@ std::int64_t steps_between(double speed, double dt) {
 }  // namespace
 
 Film::Film(const std::string& path, const LitterView& start, SeenPicture picture,
-           const pictures::Look& look, const view::Camera& camera, double speed)
+           const pictures::Look& look, const view::Camera& camera, double speed,
+           std::function<void()> notify)
     : path_(path),
       picture_(std::move(picture)),
       every_(steps_between(speed, start.params.dt)),
       next_(start.step),
-      last_(start.step) {
+      last_(start.step),
+      thread_(std::move(notify)) {
   if (!io::has_ffmpeg()) {
     io::refuse("no film: ffmpeg is not installed (Debian and Ubuntu: apt install ffmpeg)");
   }
@@ -50,18 +52,20 @@ Film::Film(const std::string& path, const LitterView& start, SeenPicture picture
 }
 
 void Film::add(io::Image frame, std::int64_t step) {
-  if (pending_) thread_.wait(*std::exchange(pending_, {}));
   frame_ = std::move(frame);
-  pending_ = thread_.run([this] { movie_->add(frame_); });
+  thread_.start([this] { movie_->add(frame_); });
   last_ = step;
   next_ = step + every_;
   ++frames_;
 }
 
-std::string Film::finish() {
-  if (pending_) thread_.wait(*std::exchange(pending_, {}));
-  movie_->finish();
-  return path_;
+void Film::finish() {
+  wait();
+  thread_.start([this] { movie_->finish(); });
+}
+
+void Film::wait() {
+  while (!thread_.done_within(1)) continue;
 }
 
 std::string film_path(std::int64_t step) {

@@ -9,6 +9,18 @@
 #include "app/window/session/parameter_text.h"
 
 namespace pupflow::window {
+namespace {
+
+/// In the middle of `area`. Until it is drawn in a new size, the old one is cut off there.
+Painter::Image placed(const gl::SharedPicture& picture, const PixelBox& area) {
+  const int left = area.left + (area.width() - picture.width()) / 2;
+  const int top = area.top + (area.height() - picture.height()) / 2;
+  const PixelBox place = common(area, {left, top, left + picture.width(), top + picture.height()});
+  return {&picture, place, place.left - left, place.top - top};
+}
+
+}  // namespace
+
 /// Beside each other, or one above the other where that leaves more room.
 LiveWindow::ArenaAreas LiveWindow::split_arena(const Area& arena, bool two) {
   split_ = !two ? Split::none : arena.size.x >= arena.size.y ? Split::beside : Split::above;
@@ -39,17 +51,17 @@ PixelBox LiveWindow::pixels_of(const Area& area) const {
 /// Into stores of their own; and what is painted over them, into the panels' list.
 LiveWindow::DrawnArenas LiveWindow::draw_arenas(const ArenaAreas& areas) {
   const LiveState& snapshot = runner_.snapshot();
-  DrawnArenas drawn{{}, false, schedule_.samples(controls_.look.samples())};
+  const int samples = schedule_.samples(controls_.look.samples());
+  DrawnArenas drawn;
   const auto draw = [&](ArenaView& view, ArenaMarks& marks, const LitterView& litter,
                         const Area& area, bool fresh, bool& unmarked) {
     const PixelBox place = pixels_of(area);
     view.set_look(controls_.look);
-    const bool anew =
-        view.draw(litter, fresh, scale_, place.width(), place.height(), drawn.samples);
-    drawn.anew |= anew;
-    drawn.images.push_back({&view.store(), place});
+    drawn.anew |= view.draw(litter, fresh, scale_, place.width(), place.height(), samples);
     unmarked |= fresh;
-    const bool mark = unmarked && !view.pending();  // with the bodies, not before them
+    if (view.shown().empty()) return;
+    drawn.images.push_back(placed(view.shown(), place));
+    const bool mark = unmarked && !view.drawing();  // with the bodies, not before them
     if (mark) unmarked = false;
     marks.paint(*ImGui::GetBackgroundDrawList(),
                 {litter, scale_, view.drawn_camera(), view.bodies(), area}, mark, controls_.look,
@@ -61,7 +73,9 @@ LiveWindow::DrawnArenas LiveWindow::draw_arenas(const ArenaAreas& areas) {
     return drawn;
   }
   const bool begins = !second_;
-  if (begins) second_.reset(new SecondArena{{controls_.look, glfwPostEmptyEvent}, {}, true});
+  if (begins) {
+    second_.reset(new SecondArena{{window_, controls_.look, glfwPostEmptyEvent}, {}, true});
+  }
   second_->view.look_from(arena_.camera());
   draw(second_->view, second_->marks, snapshot.second->view(), *areas.second,
        schedule_.fresh() || begins, second_->unmarked);
@@ -92,8 +106,10 @@ void LiveWindow::label_arenas(const ArenaAreas& areas) const {
 void LiveWindow::paint(const DrawnArenas& drawn) {
   painter_.paint(*gui_, drawn.images, drawn.anew, gl::Palette{}.background);
   if (painter_.unsettled()) schedule_.panels_changed();
+  if (!arena_.drawing()) drawn_params_ = runner_.snapshot().view().params;
+  events_.shown(controls_.params, drawn_params_);
   events_.camera(arena_.camera());
-  events_.frame(drawn.samples);
+  events_.frame(arena_.drawn_samples());
 }
 
 }  // namespace pupflow::window

@@ -35,7 +35,7 @@ LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
       painter_(window_, drawn_by_processor()),
-      arena_(job.look, glfwPostEmptyEvent),
+      arena_(window_, job.look, glfwPostEmptyEvent),
       events_(job.test_events),
       runner_({.params = job.params,
                .from = job.from,
@@ -70,14 +70,21 @@ LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
 void LiveWindow::run() {
   while (!closing()) {
     wait_for_events();
-    if (io::interrupted()) throw io::Failure(io::ExitCode::interrupted, "interrupted");
+    if (io::interrupted()) {
+      throw io::Failure(io::ExitCode::interrupted,
+                        film_ || ended_film_ ? "interrupted; no film was written" : "interrupted");
+    }
     const double now = glfwGetTime();
     follow_visibility();
+    const bool drawn = arena_.collect(), second_drawn = second_ && second_->view.collect();
+    if (drawn || second_drawn) schedule_.panels_changed();
     exchange_snapshots(now);
-    if (arena_.ready() || (second_ && second_->view.ready())) schedule_.panels_changed();
+    feed_film();
     if (schedule_.frame_due(now)) frame(now);
   }
+  arena_.finish();
   end_film();
+  settle_ended_film(true);
   keep_settings();
   events_.closed();
 }

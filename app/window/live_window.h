@@ -49,8 +49,14 @@ class LiveWindow {
   };
   struct DrawnArenas {  // in this frame
     std::vector<Painter::Image> images;
-    bool anew;
-    int samples;
+    bool anew = false;
+  };
+  struct FilmFrame {  // under way to the film
+    io::Image image;
+    std::int64_t step;
+    bool bad;  // the last one: the numbers went wrong
+    std::string problem;
+    bool drawn;
   };
   struct SecondArena {  // while comparing
     ArenaView view;
@@ -88,16 +94,18 @@ class LiveWindow {
 
   // live_picture.cpp: pictures.
   SeenPicture new_picture(const pictures::Look& look) const;
-  view::Camera camera_of(const SeenPicture& picture) const;
-  io::Image paint_picture(SeenPicture& picture);
+  SeenPicture::Scene scene_for(const SeenPicture& picture);
   void take_picture();
 
   // live_film.cpp: films.
   void switch_film();
   void film_snapshot();
+  void feed_film();
   bool film_takes(Action action);
   void film_follows(const Command& command);
   void end_film();
+  void drop_film();
+  void settle_ended_film(bool wait);
 
   // live_desk.cpp: scenes, settings, closing.
   bool changed() const;
@@ -148,6 +156,7 @@ class LiveWindow {
   bool unmarked_ = true;  // as in the second arena
   std::unique_ptr<SecondArena> second_;
   Split split_ = Split::none;  // of the arena
+  Params drawn_params_;        // of the litter that the arena shows
   std::unique_ptr<Gui> gui_;   // made after this window's own callbacks, which it then calls
   Controls controls_;
   Panels panels_;
@@ -156,7 +165,8 @@ class LiveWindow {
   Tips tips_;
   Runner runner_;
   RedrawSchedule schedule_;
-  std::unique_ptr<Film> film_;
+  std::unique_ptr<Film> film_, ended_film_;  // the latter is still being finished
+  std::shared_ptr<FilmFrame> film_frame_;
   bool film_holds_ = false;  // it takes no further steps
   SceneDesk desk_;
   Dialogs dialogs_;

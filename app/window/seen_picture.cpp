@@ -58,21 +58,20 @@ SeenPicture::SeenPicture(PixelSize size, Split split, const pictures::Look& look
   if (split != Split::none) parts_.push_back(make());
 }
 
-io::Image SeenPicture::draw(gl::Renderer& renderer, std::vector<Litter> litters,
-                            const view::Camera& camera, const view::ColorScale& scale) {
+io::Image SeenPicture::draw(gl::Renderer& renderer, const Scene& scene) {
   std::vector<io::Image> images;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     pictures::Picture& part = *parts_[i];
-    Litter& shown = litters.at(i);
-    part.set_scale(scale);
-    part.mark(std::move(shown.marks));
-    if (shown.trails != nullptr) part.remember(*shown.trails);
-    images.push_back(part.draw(renderer, shown.litter, camera));
+    const Litter& shown = scene.litters.at(i);
+    part.set_scale(scene.scale);
+    part.mark(shown.marks);
+    part.remember(shown.trails);
+    images.push_back(part.draw(renderer, shown.litter, scene.camera));
   }
   if (split_ == Split::none) return std::move(images.front());
   io::Image all(size_.width, size_.height);
   view::fill(all, {0, 0, size_.width, size_.height}, kPaper);
-  const int scene = scene_width(*parts_.front(), part_.height);
+  const int width = scene_width(*parts_.front(), part_.height);
   const bool beside = split_ == Split::beside;
   const int x = beside ? size_.width - part_.width : 0;
   const int y = beside ? 0 : size_.height - part_.height;
@@ -85,11 +84,11 @@ io::Image SeenPicture::draw(gl::Renderer& renderer, std::vector<Litter> litters,
   view::TextPainter text;
   const double size = parts_.front()->text_size();
   const auto title = [&](int left, int top, const std::string& words) {
-    text.draw(all, left + scene / 2.0, top + 1.7 * size, line_of(words), size, kInk,
+    text.draw(all, left + width / 2.0, top + 1.7 * size, line_of(words), size, kInk,
               view::Align::centre);
   };
-  title(0, 0, litters.front().title);
-  title(x, y, litters.back().title);
+  title(0, 0, scene.litters.front().title);
+  title(x, y, scene.litters.back().title);
   return all;
 }
 

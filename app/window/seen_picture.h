@@ -18,9 +18,14 @@ class SeenPicture {
  public:
   struct Litter {
     LitterView litter;
-    const view::Trails* trails;  // where its pups were
-    view::Marks marks;           // painted beneath the overlays
-    std::string title;           // what it differs by; subscripts stand behind a '_'
+    view::Trails trails;  // where its pups were
+    view::Marks marks;    // painted beneath the overlays
+    std::string title;    // what it differs by; subscripts stand behind a '_'
+  };
+  struct Scene {
+    std::vector<Litter> litters;  // as many as the picture shows
+    view::Camera camera;
+    view::ColorScale scale;  // fitted
   };
 
   /// Throws as pictures::Picture does.
@@ -39,9 +44,8 @@ class SeenPicture {
   /// Throws where driver or memory allow no such picture. A context must be current.
   void refuse_large() const { parts_.front()->refuse_large(); }
 
-  /// As many litters as it shows, in the colors of the fitted `scale`. Throws as Picture::draw.
-  io::Image draw(gl::Renderer& renderer, std::vector<Litter> litters, const view::Camera& camera,
-                 const view::ColorScale& scale);
+  /// Throws as Picture::draw.
+  io::Image draw(gl::Renderer& renderer, const Scene& scene);
 
   /// What a file carries of the last picture, see Picture.
   io::TextEntries look_entries() const { return parts_.front()->look_entries(); }

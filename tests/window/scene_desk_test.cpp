@@ -39,8 +39,8 @@ std::string refusal(const std::string& source) {
 
 /// Made anew by scripts/scene_pictures when a scene comes or goes.
 TEST(ScenePictures, EveryShippedSceneHasOne) {
-  const std::string_view file(scene_pictures_begin, static_cast<std::size_t>(scene_pictures_end -
-                                                                             scene_pictures_begin));
+  const std::string_view file(scene_pictures_begin,
+                              static_cast<std::size_t>(scene_pictures_end - scene_pictures_begin));
   const io::Image image = io::read_png(file, "scene_pictures.png");
   EXPECT_EQ(image.width, 160);
   EXPECT_EQ(image.height, 120 * static_cast<int>(io::shipped_scenes().size()));

@@ -101,11 +101,11 @@ Verb add_figure1(CLI::App& program) {
       ->check(between(pictures::kSmallestPanel, pictures::kLargestPanel));
   add_look(*app, options->look, false);
   add_picture_look(*app, options->look);
-  return {app,
-          [options, app] { work(*app, *options); },
-          {{"figure1", "The figure, as figure1.png"},
-           {"figure1 --color-by group --out groups.png",
-            "The same litters, their groups in colors"}}};
+  return {
+      app,
+      [options, app] { work(*app, *options); },
+      {{"figure1", "The figure, as figure1.png"},
+       {"figure1 --color-by group --out groups.png", "The same litters, their groups in colors"}}};
 }
 
 }  // namespace pupflow::cli

@@ -7,7 +7,7 @@ import re
 NOT_RUN = [
     (r"^(\./|scripts/)(demo|check)\b", "installs packages and builds; every test runs behind it"),
     (r"^cmake --preset ", "a build of the program; ./check makes two"),
-    (r"^cmake --(build|install) build/release(?! --component)", "installs for all users; tests/app does it in a folder"),
+    (r"^cmake --(build|install) build/release(?! --component)", "installs for all users; tests/packages does it in a folder"),
     (r"^scripts/packages", "builds the program as Debian installs it"),
     (r"^(build/\S*/tests/|scripts/fuzz)", "fuzzing; ./check replays what it found"),
     (r"^pupflow report (error|stability|validation)( --quick)?( *#| *$)", "takes minutes; tests/report makes it with --quick"),

@@ -7,8 +7,9 @@ system=$1
 shift
 store=$(mktemp -d)
 trap 'rm -rf --one-file-system "$store"' EXIT
-export BUILDAH_ISOLATION=chroot STORAGE_DRIVER=vfs
-image() { buildah --root "$store/images" --runroot "$store/run" "$@"; }
+export BUILDAH_ISOLATION=chroot
+# Plain folders in place of mounts that not every file system bears.
+image() { buildah --storage-driver vfs --root "$store/images" --runroot "$store/run" "$@"; }
 
 base=$(image from scratch)
 tar --create --directory "$system" . >"$store/system.tar"

@@ -33,6 +33,7 @@ constexpr std::array kWords{
     Words{"date", "is no date"},
     Words{"time", "is no time"},
     Words{"value: enc", "a value is missing"},
+    Words{"pair: enc", "a value is missing"},
 };
 
 }  // namespace

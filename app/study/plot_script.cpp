@@ -103,7 +103,8 @@ std::string celsius_of_tb(const std::vector<Summary>& summaries) {
     low = std::min(low, mean);
     high = std::max(high, mean);
   }
-  return io::celsius_axis("y", low, high);
+  // With a second axis gnuplot ends the first one at the data.
+  return io::celsius_axis("y", low, high) + "  set offsets 0, 0, graph 0.05, 0\n";
 }
 
 /// Commands that start the y axis at 0, or add a label that it does not: T_b may be negative.
@@ -185,8 +186,8 @@ std::string four_panels(const Design& design, const Axis& axis,
         << curves.of(std::string(run_statistics()[kExposedSd].name), kOrange, "x1y2", 0.08,
                      "title 'sd of A (right)'");
     }
-    s << '\n'
-      << (first ? io::no_celsius_axis("y") + "  set border " + std::to_string(border) + "\n" : "");
+    s << '\n';
+    if (first) s << io::no_celsius_axis("y") << "  unset offsets\n  set border " << border << '\n';
   }
   // Back to the settings before panel D, for the other format.
   if (temperature) s << io::no_celsius_axis("x");

@@ -1,6 +1,7 @@
 #include "app/gl/renderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -12,8 +13,8 @@ namespace {
 
 // Brightness at a sphere's outline. Its middle has exactly the color of its point.
 constexpr float kEdgeShade = 0.88f;
-constexpr std::size_t kKeptBytes = std::size_t{32} << 20;  // of a picture whose store stays
-constexpr float kUsualRows = 960;                          // higher pictures have wider lines
+constexpr float kFootShade = 0.6f;  // of the rim's color in the line at the slab's foot
+constexpr float kUsualRows = 960;   // higher pictures have wider lines
 
 /// Where the attributes of a vertex lie in the bound buffer, for the bound vertex array.
 struct Layout {
@@ -67,7 +68,50 @@ void fill(GLenum target, const Buffer& buffer, std::span<const Element> content)
                GL_STREAM_DRAW);
 }
 
+/// Parts of a picture of that size, each side at most `most`.
+template <class Do>
+void for_each_part(int width, int height, int most, Do work) {
+  for (int y = 0; y < height; y += most) {
+    for (int x = 0; x < width; x += most) {
+      work(Viewport{x, y, std::min(most, width - x), std::min(most, height - y)});
+    }
+  }
+}
+
+/// A share of `b` in `a`.
+view::Rgb mixed(view::Rgb a, view::Rgb b, float share) {
+  const auto mix = [&](std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t>(
+        std::lround((1 - share) * static_cast<float>(from) + share * static_cast<float>(to)));
+  };
+  return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
+}
+
 }  // namespace
+
+/// What is drawn part by part, so that memory does not grow with size and samples.
+struct Renderer::Frame {
+  view::CameraMatrices matrices;
+  bool from_below;
+  int width, height, supersample;
+  const Palette& palette;
+
+  /// Those in which a part of the picture fills the view.
+  view::CameraMatrices of(const Viewport& part) const {
+    view::CameraMatrices zoomed = matrices;
+    const auto zoom = [&](int row, int all, int from, int size) {
+      if (size == all) return;
+      const float factor = static_cast<float>(all) / static_cast<float>(size);
+      const float middle =
+          (2 * static_cast<float>(from) + static_cast<float>(size)) / static_cast<float>(all) - 1;
+      const Eigen::Matrix4f& whole = matrices.clip_from_eye;
+      zoomed.clip_from_eye.row(row) = factor * (whole.row(row) - middle * whole.row(3));
+    };
+    zoom(0, width, part.x, part.width);
+    zoom(1, height, part.y, part.height);
+    return zoomed;
+  }
+};
 
 Renderer::Mesh::Mesh() {
   glBindVertexArray(array.name());
@@ -137,68 +181,63 @@ void Renderer::upload(const view::DrawList& list) {
 
 void Renderer::draw(const view::Camera& camera, const Viewport& viewport, int supersample,
                     const Palette& palette) {
-  line_scale_ = static_cast<float>(supersample) *
-                std::max(1.0f, static_cast<float>(viewport.height) / kUsualRows);
-  const double aspect = static_cast<double>(viewport.width) / viewport.height;
-  const view::CameraMatrices matrices = camera.matrices(aspect, bounds_);
-  const bool from_below = matrices.perspective ? camera.eye().z() < 0 : camera.backward().z() < 0;
-  if (supersample == 1) {
-    draw_scene(matrices, from_below, viewport, palette);
-    return;
-  }
-  // Part by part, so that memory does not grow with the samples.
-  const int part = std::max(1, kLargestPart / supersample);
-  for (int y = 0; y < viewport.height; y += part) {
-    for (int x = 0; x < viewport.width; x += part) {
-      const Viewport inside{x, y, std::min(part, viewport.width - x),
-                            std::min(part, viewport.height - y)};
-      draw_part(matrices, from_below, viewport, inside, supersample, palette);
-    }
-  }
-}
-
-void Renderer::draw_part(const view::CameraMatrices& whole, bool from_below,
-                         const Viewport& viewport, const Viewport& inside, int supersample,
-                         const Palette& palette) {
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  // Clip coordinates in which the part fills the view.
-  view::CameraMatrices matrices = whole;
-  const auto zoom = [&](int row, int all, int from, int size) {
-    const float factor = static_cast<float>(all) / static_cast<float>(size);
-    const float middle =
-        (2 * static_cast<float>(from) + static_cast<float>(size)) / static_cast<float>(all) - 1;
-    matrices.clip_from_eye.row(row) =
-        factor * (whole.clip_from_eye.row(row) - middle * whole.clip_from_eye.row(3));
-  };
-  zoom(0, viewport.width, inside.x, inside.width);
-  zoom(1, viewport.height, inside.y, inside.height);
-  const Viewport samples{0, 0, supersample * inside.width, supersample * inside.height};
-  samples_.resize(samples.width, samples.height);
-  samples_.bind();
-  draw_scene(matrices, from_below, samples, palette);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
-
-  const int x = viewport.x + inside.x, y = viewport.y + inside.y;
-  glViewport(x, y, inside.width, inside.height);
-  glUseProgram(resolve_program_.name());
-  glUniform1i(resolve_program_.uniform("samples"), 0);
-  glUniform1i(resolve_program_.uniform("count"), supersample);
-  glUniform2i(resolve_program_.uniform("origin"), x, y);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, samples_.texture());
-  glBindVertexArray(empty_array_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  const Frame frame = frame_of(camera, viewport.width, viewport.height, supersample, palette);
+  draw_part(frame, {0, 0, viewport.width, viewport.height}, viewport.x, viewport.y);
 }
 
 io::Image Renderer::picture(const view::Camera& camera, int width, int height, int supersample,
                             const Palette& palette) {
-  picture_.resize(width, height);
-  picture_.bind();
-  draw(camera, {0, 0, width, height}, supersample, palette);
-  io::Image image = picture_.read();
-  if (image.rgba.size() > kKeptBytes) picture_ = Target();
+  const Frame frame = frame_of(camera, width, height, supersample, palette);
+  io::Image image(width, height);
+  for_each_part(width, height, kLargestPart, [&](const Viewport& part) {
+    picture_.resize(part.width, part.height);
+    picture_.bind();
+    draw_part(frame, part, 0, 0);
+    picture_.read(image, part.x, height - part.y - part.height);
+  });
   return image;
+}
+
+Renderer::Frame Renderer::frame_of(const view::Camera& camera, int width, int height,
+                                   int supersample, const Palette& palette) {
+  line_scale_ =
+      static_cast<float>(supersample) * std::max(1.0f, static_cast<float>(height) / kUsualRows);
+  const view::CameraMatrices matrices =
+      camera.matrices(static_cast<double>(width) / height, bounds_);
+  const bool from_below = matrices.perspective ? camera.eye().z() < 0 : camera.backward().z() < 0;
+  return {matrices, from_below, width, height, supersample, palette};
+}
+
+void Renderer::draw_part(const Frame& frame, const Viewport& part, int x, int y) {
+  const int samples = frame.supersample;
+  if (samples == 1) {
+    draw_scene(frame.of(part), frame.from_below, {x, y, part.width, part.height}, frame.palette);
+    return;
+  }
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  for_each_part(
+      part.width, part.height, std::max(1, kLargestPart / samples), [&](const Viewport& inner) {
+        const Viewport inside{part.x + inner.x, part.y + inner.y, inner.width, inner.height};
+        const Viewport store{0, 0, samples * inner.width, samples * inner.height};
+        samples_.resize(store.width, store.height);
+        samples_.bind();
+        draw_scene(frame.of(inside), frame.from_below, store, frame.palette);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
+        resolve({x + inner.x, y + inner.y, inner.width, inner.height}, samples);
+      });
+}
+
+void Renderer::resolve(const Viewport& viewport, int samples) {
+  glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
+  glUseProgram(resolve_program_.name());
+  glUniform1i(resolve_program_.uniform("samples"), 0);
+  glUniform1i(resolve_program_.uniform("count"), samples);
+  glUniform2i(resolve_program_.uniform("origin"), viewport.x, viewport.y);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, samples_.texture());
+  glBindVertexArray(empty_array_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void Renderer::draw_scene(const view::CameraMatrices& matrices, bool from_below,
@@ -240,7 +279,7 @@ void Renderer::draw_scene(const view::CameraMatrices& matrices, bool from_below,
   draw_soft_edges(matrices);
   draw_wall(matrices, arena_radius_, 0, wall_height_, palette.glass, true);
   const float bottom = -view::kSlabDepth * arena_radius_;
-  draw_rim(matrices, viewport, outside, bottom, 0.6f, palette.rim);
+  draw_rim(matrices, viewport, outside, bottom, 1, mixed(palette.slab, palette.rim, kFootShade));
   draw_rim(matrices, viewport, arena_radius_, 0, 0.5f, palette.rim);
   draw_rim(matrices, viewport, arena_radius_, wall_height_, 1, palette.rim);
   glDepthMask(GL_TRUE);
@@ -267,11 +306,6 @@ void Renderer::draw_ellipsoids(const view::CameraMatrices& matrices, int rows) {
   if (ellipsoids_count_ == 0) return;
   const Program& program = ellipsoids_program_;
   set_camera(program, matrices);
-  const Eigen::Matrix3f turn = matrices.eye_from_world.topLeftCorner<3, 3>();
-  const Eigen::Vector3f eye = -turn.transpose() * matrices.eye_from_world.topRightCorner<3, 1>();
-  glUniform3fv(program.uniform("eye"), 1, eye.data());
-  const Eigen::Vector3f backward = turn.row(2);
-  glUniform3fv(program.uniform("backward"), 1, backward.data());
   glUniform1f(program.uniform("pixel"),
               2 / (matrices.clip_from_eye(1, 1) * static_cast<float>(rows)));
   glUniform1i(program.uniform("soft"), soft_ ? 1 : 0);

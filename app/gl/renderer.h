@@ -13,7 +13,7 @@
 
 namespace pupflow::gl {
 
-/// Edge of what is drawn at once where a pixel has many samples; samples.
+/// Edge of what is drawn at once into a picture, and of the samples that are drawn at once.
 constexpr int kLargestPart = 2048;
 
 /// Of the grid on the floor, arena units.
@@ -62,8 +62,11 @@ class Renderer {
 
   void draw_scene(const view::CameraMatrices& matrices, bool from_below, const Viewport& viewport,
                   const Palette& palette);
-  void draw_part(const view::CameraMatrices& whole, bool from_below, const Viewport& viewport,
-                 const Viewport& inside, int supersample, const Palette& palette);
+  struct Frame;
+  Frame frame_of(const view::Camera& camera, int width, int height, int supersample,
+                 const Palette& palette);
+  void draw_part(const Frame& frame, const Viewport& part, int x, int y);  // to x, y
+  void resolve(const Viewport& viewport, int samples);
   void draw_spheres(const view::CameraMatrices& matrices, int rows);
   void draw_ellipsoids(const view::CameraMatrices& matrices, int rows);
   void draw_floor(const view::CameraMatrices& matrices, bool from_below, const Palette& palette);

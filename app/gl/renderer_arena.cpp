@@ -44,8 +44,13 @@ void Renderer::draw_wall(const view::CameraMatrices& matrices, float radius, flo
   glUniform1f(wall_program_.uniform("bottom"), bottom);
   glUniform1f(wall_program_.uniform("top"), top);
   glUniform1i(wall_program_.uniform("segments"), kWallSegments);
+  // Of the slab, what faces the eye: behind the soft edge of the floor there is nothing.
+  if (!glass) glEnable(GL_CULL_FACE);
+  glCullFace(GL_FRONT);
   glBindVertexArray(empty_array_.name());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kWallSegments + 1));
+  glCullFace(GL_BACK);
+  glDisable(GL_CULL_FACE);
 }
 
 void Renderer::draw_rim(const view::CameraMatrices& matrices, const Viewport& viewport,

@@ -31,6 +31,9 @@ class Target {
   /// Its colors as a picture.
   io::Image read() const;
 
+  /// The same into a larger picture, the upper left corner to (x, y).
+  void read(io::Image& image, int x, int y) const;
+
  private:
   Framebuffer framebuffer_;
   Texture color_;

@@ -90,7 +90,7 @@ view::ColorScale Picture::scale_for(const LitterView& litter) {
 }
 
 void Picture::refuse_large() const {
-  pictures::refuse_large(width_, height_, scene_width_, height_, look_.samples());
+  pictures::refuse_large(width_, height_);
 }
 
 io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
@@ -152,16 +152,15 @@ void check_samples(int supersample) {
              std::to_string(supersample));
 }
 
-void refuse_large(int width, int height, int drawn_width, int drawn_height, int supersample) {
-  // A drawn pixel has color and depth, as has each sample of the part that is drawn at once; a pixel
+void refuse_large(int width, int height) {
+  // A part is drawn at a time, which has color and depth, as have its samples; a pixel of the whole
   // passes through copies on its way to the file.
-  constexpr double kOfDrawn = 8, kOfPixel = 32;
-  gl::Target::refuse_large(drawn_width, drawn_height);
-  const double samples = supersample > 1 ? gl::kLargestPart * double{gl::kLargestPart} : 0;
+  constexpr double kOfDrawn = 16, kOfPixel = 24;
+  const auto part = [](int side) { return std::min(side, gl::kLargestPart); };
+  gl::Target::refuse_large(part(width), part(height));
   io::refuse_large(
       "a picture of " + std::to_string(width) + "x" + std::to_string(height) + " pixels",
-      kOfDrawn * (samples + static_cast<double>(drawn_width) * drawn_height) +
-          kOfPixel * static_cast<double>(width) * height,
+      kOfDrawn * part(width) * part(height) + kOfPixel * static_cast<double>(width) * height,
       "fewer need less");
 }
 

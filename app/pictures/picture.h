@@ -96,10 +96,9 @@ class Picture {
 /// Throws Failure(bad_input) unless 1 <= supersample <= kMostSamples.
 void check_samples(int supersample);
 
-/// Throws Failure(bad_input) when a picture of that size, of which a part of `drawn_width` x
-/// `drawn_height` pixels is drawn at a time, is more than OpenGL or the memory allows. An OpenGL
-/// context must be current.
-void refuse_large(int width, int height, int drawn_width, int drawn_height, int supersample);
+/// Throws Failure(bad_input) when a picture of that size is more than OpenGL or the memory allows. An
+/// OpenGL context must be current.
+void refuse_large(int width, int height);
 
 /// How files name what a picture with this look and this fitted scale shows.
 io::TextEntries look_entries(const Look& look, const view::ColorScale& scale);

@@ -10,7 +10,7 @@
 namespace pupflow::view {
 
 const SkinMesh& DrawList::mesh_for(float pixels) {
-  constexpr float kEdge = 5, kMostEdge = 9;  // of edges between vertices, samples
+  constexpr float kEdge = 4, kMostEdge = 6;  // of edges between vertices, samples
   constexpr int kMostHalvings = 3;
   const float wanted = std::min(pixels * std::numbers::pi_v<float> / 2 / kEdge, 1000.0f);
   const int shown = std::clamp(static_cast<int>(std::ceil(wanted)), 2, face_points_);

@@ -26,6 +26,7 @@
 #include "app/window/session/runner.h"
 #include "app/window/settings.h"
 #include "app/window/test_events.h"
+#include "app/window/x_covering.h"
 
 namespace pupflow::window {
 
@@ -128,6 +129,7 @@ class LiveWindow {
     int pup;
     Eigen::Vector3d middle;  // when the mouse took it
   };
+  static constexpr double kLongStep = 1;    // seconds of a step or command that the user is told of
   static constexpr float kStillPixels = 4;  // a press that moved no further is a click
   view::Ray sight_at_mouse(const Area& arena) const;
   void point_at_pups(const Area& arena);
@@ -140,6 +142,7 @@ class LiveWindow {
 
   LiveJob job_;
   context::GlfwWindow window_;  // outlives everything that lives in its context
+  Covering covering_;
   Painter painter_;
   ArenaView arena_;
   ArenaMarks marks_;
@@ -157,6 +160,7 @@ class LiveWindow {
   RedrawSchedule schedule_;
   std::unique_ptr<Film> film_, ended_film_;  // the latter is still being finished
   std::shared_ptr<FilmFrame> film_frame_;
+  bool suspended_ = false;   // the runner: minimised, and so it was chosen
   bool film_holds_ = false;  // it takes no further steps
   SceneDesk desk_;
   Dialogs dialogs_;

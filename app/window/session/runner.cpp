@@ -79,15 +79,22 @@ bool Runner::take() {
   return true;
 }
 
+double Runner::busy_for() const {
+  const double since = busy_since_;
+  return since > 0 ? seconds() - since : 0;
+}
+
 void Runner::loop() {
   try {
     std::vector<Command> commands;
     while (wait_for_work(commands)) {
+      busy_since_ = seconds();
       if (!commands.empty()) apply(commands);
       const double now = seconds();
       if (session_.hurried() || (session_.running() && pacer_.due(now))) step(now);
       measure(seconds());
       publish();
+      busy_since_ = 0;
     }
   } catch (...) {
     {
@@ -120,6 +127,7 @@ void Runner::apply(std::vector<Command>& commands) {
   const bool rested = resting();
   for (const Command& command : commands) session_.apply(command);
   commands.clear();
+  commanded_ = true;
   const double now = seconds();
   pacer_.reschedule(now, step_interval(session_.params().dt, session_.speed()));
   if (rested) measured_from_ = now;
@@ -146,11 +154,11 @@ void Runner::publish() {
   if (!session_.changed()) return;
   const double now = seconds();
   const bool fast = session_.running() && std::isinf(session_.speed());
-  if (fast && now < published_ + kFastInterval) return;
+  if (fast && !commanded_ && now < published_ + kFastInterval) return;
   {
     const std::lock_guard lock(mutex_);
-    if (!requested_) return;
-    requested_ = false;
+    if (!requested_ && !(fresh_ && commanded_)) return;
+    requested_ = commanded_ = false;
   }
   published_ = now;
   session_.fill(*back_, options_.hashed);

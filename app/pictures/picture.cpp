@@ -72,6 +72,11 @@ void Picture::watch(const LitterView& litter) {
   if (look_.overlays.has("trails")) trails_.add(litter);
 }
 
+void Picture::set_scale(const view::ColorScale& scale) {
+  look_.scale = scale;
+  shown_.reset();
+}
+
 view::ColorScale Picture::scale_for(const LitterView& litter) {
   const std::vector<double> values = look_.scale.field->values(litter);
   view::ColorScale scale = look_.scale.fitted(values, litter.params.preferred_temperature);
@@ -102,7 +107,7 @@ io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
 }
 
 void Picture::add_overlays(io::Image& scene, const LitterView& litter, const view::Camera& camera) {
-  marks_.clear();
+  marks_ = more_;
   watch(litter);
   look_.overlays.draw({litter, list_.scale(), centres_of(litter), trails_}, marks_);
   const view::Projection projection(camera, list_.bounds(), scene.width, scene.height,

@@ -3,19 +3,13 @@
 #include <GL/glew.h>
 
 #include <chrono>
-#include <filesystem>
 #include <utility>
 
-#include "app/io/frame_path.h"
-#include "app/io/provenance.h"
-#include "app/io/text.h"
-#include "app/pictures/picture.h"
 #include "app/view/framing.h"
 
 namespace pupflow::window {
 namespace {
 
-constexpr const char* kPattern = "pupflow-%05d.png";
 /// What takes no longer is waited for, so that it is in the same frame as the panels; seconds.
 constexpr double kQuick = 0.012;
 
@@ -128,39 +122,6 @@ bool ArenaView::collect_within(double patience) {
 
 void ArenaView::finish() {
   while (!jobs_.empty()) collect_within(kForever);
-}
-
-view::Camera ArenaView::camera_for(const pictures::Picture& picture,
-                                   const LitterView& litter) const {
-  return view::framed(camera_, litter.params, picture.scene_aspect());
-}
-
-std::string picture_path(const std::string& pattern, std::int64_t step) {
-  const std::string first = io::frame_path(pattern.empty() ? kPattern : pattern, step);
-  const std::filesystem::path path(first);
-  std::string candidate = first;
-  for (int number = 2; std::filesystem::exists(candidate); ++number) {
-    candidate = (path.parent_path() / path.stem()).string() + '-' + std::to_string(number) +
-                path.extension().string();
-  }
-  return candidate;
-}
-
-void write_picture(const std::string& path, gl::Renderer& renderer, pictures::Picture& picture,
-                   const LiveState& snapshot, const view::Camera& camera,
-                   const pictures::Look& look) {
-  const LitterView litter = snapshot.view();
-  const io::Image image = picture.draw(renderer, litter, camera);
-  io::TextEntries extra{{"picture", "live"}, {"step", std::to_string(litter.step)}};
-  const auto add = [&](const io::TextEntries& more) {
-    extra.insert(extra.end(), more.begin(), more.end());
-  };
-  add(pictures::camera_entries(camera));
-  add({{"size", std::to_string(image.width) + "x" + std::to_string(image.height)}});
-  if (snapshot.hash) add({{"hash", io::hash_text(*snapshot.hash)}});
-  add(picture.look_entries());
-  io::write_png(path, image, io::provenance(litter.recipe, extra), false,
-                pictures::png_options(look));
 }
 
 }  // namespace pupflow::window

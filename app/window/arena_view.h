@@ -1,4 +1,4 @@
-// The arena in its part of the window: the camera that the mouse moves, drawing, pictures.
+// The arena in its part of the window: the camera that the mouse moves, drawing.
 #pragma once
 
 #include <array>
@@ -6,13 +6,11 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "app/context/glfw_window.h"
 #include "app/gl/renderer.h"
 #include "app/gl/target.h"
 #include "app/pictures/look.h"
-#include "app/pictures/picture.h"
 #include "app/view/camera.h"
 #include "app/view/draw_list.h"
 #include "app/window/session/session.h"
@@ -74,9 +72,6 @@ class ArenaView {
   const view::Camera& drawn_camera() const { return drawn_.camera; }
   int drawn_samples() const { return drawn_.samples; }
 
-  /// The camera for a picture of `litter` from here.
-  view::Camera camera_for(const pictures::Picture& picture, const LitterView& litter) const;
-
  private:
   /// What decides how a litter is drawn.
   struct Wanted {
@@ -118,16 +113,5 @@ class ArenaView {
   std::deque<Job> jobs_;  // the first one is under way
   Worker worker_;         // last: it uses the others
 };
-
-/// Where the next picture goes: `pattern` (with %d or %05d for the step; empty: pupflow-%05d.png)
-/// with the step filled in, and -2, -3 ... added before the ending until no such file exists.
-/// Throws Failure(bad_input) for a bad pattern.
-std::string picture_path(const std::string& pattern, std::int64_t step);
-
-/// Writes to `path` the picture of `snapshot` that `pupflow render` would make, with the color bar and
-/// all that is needed to make it again. Overwrites nothing. Throws Failure.
-void write_picture(const std::string& path, gl::Renderer& renderer, pictures::Picture& picture,
-                   const LiveState& snapshot, const view::Camera& camera,
-                   const pictures::Look& look);
 
 }  // namespace pupflow::window

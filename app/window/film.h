@@ -8,26 +8,27 @@
 
 #include "app/io/movie.h"
 #include "app/pictures/look.h"
-#include "app/pictures/picture.h"
 #include "app/view/camera.h"
+#include "app/window/seen_picture.h"
 #include "app/window/session/worker.h"
 
 namespace pupflow::window {
 
-/// Writes frames of the usual picture's size to an MP4 file. It says which step the next frame is of:
+/// Writes frames, all of the size of `picture`, to an MP4 file. It says which step the next frame is of:
 /// whoever steps the litter stops there until the frame is taken, so that none is left out.
 class Film {
  public:
   static constexpr int kFps = 25;
 
-  /// Begins with the litter as `start` shows it. `speed`: seconds of the model in a second of the
+  /// Begins with the litter as `start` shows it. `picture` paints the frames. `speed`: seconds of the model in a second of the
   /// film. `notify` is called on another thread whenever a frame is written. Throws Failure: bad_input
   /// without ffmpeg, with what to install; bad_file.
-  Film(const std::string& path, const LitterView& start, const pictures::Look& look,
-       const view::Camera& camera, double speed, std::function<void()> notify);
+  Film(const std::string& path, const LitterView& start, SeenPicture picture,
+       const pictures::Look& look, const view::Camera& camera, double speed,
+       std::function<void()> notify);
 
   /// Paints its frames.
-  pictures::Picture& picture() { return picture_; }
+  SeenPicture& picture() { return picture_; }
 
   /// Steps from one frame to the next, and that of the next frame.
   std::int64_t every() const { return every_; }
@@ -54,7 +55,7 @@ class Film {
 
  private:
   std::string path_;
-  pictures::Picture picture_;
+  SeenPicture picture_;
   std::int64_t every_, next_, last_;
   int frames_ = 0;
   io::Image frame_;

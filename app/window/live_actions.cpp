@@ -83,7 +83,9 @@ void LiveWindow::key(int code, int mods, bool repeated) {
     if (code == GLFW_KEY_ENTER || code == GLFW_KEY_KP_ENTER) dialogs_.accept();
     return;
   }
-  if (text_has_keyboard() || panels_take(code)) return;
+  const bool enter = code == GLFW_KEY_ENTER || code == GLFW_KEY_KP_ENTER;
+  if (text_has_keyboard() && !std::exchange(typing_ends_, typing_ends_ || enter)) return;
+  if (panels_take(code)) return;
   if (const auto action = action_for(code, mods, repeated)) controls_.actions.push_back(*action);
 }
 
@@ -247,37 +249,6 @@ void LiveWindow::close_front() {
   }
 }
 
-/// It is drawn and written with the arena; the window goes on meanwhile.
-void LiveWindow::take_picture() {
-  struct Taken {
-    Taken(int width, int height, const pictures::Look& shown)
-        : look(shown), picture(width, height, true, shown) {}
-    pictures::Look look;
-    pictures::Picture picture;
-    std::string path, problem;
-  };
-  const LiveState& snapshot = runner_.snapshot();
-  pictures::Look look = controls_.look;
-  look.scale = scale_;
-  const auto side = [](int pixels) { return std::max(pixels, pictures::kSmallestSide); };
-  const auto taken = std::make_shared<Taken>(side(picture_width_), side(picture_height_), look);
-  taken->picture.remember(marks_.trails());
-  const auto write =
-      [taken, &snapshot, pattern = job_.screenshot,
-       camera = arena_.camera_for(taken->picture, snapshot.view())](gl::Renderer& renderer) {
-        try {
-          taken->path = picture_path(pattern, snapshot.view().step);
-          write_picture(taken->path, renderer, taken->picture, snapshot, camera, taken->look);
-        } catch (const io::Failure& failure) {
-          taken->problem = failure.what();  // a full disk does not end the run
-        }
-      };
-  arena_.start(write, [this, taken] {
-    if (taken->problem.empty()) events_.screenshot(taken->path);
-    show(taken->problem.empty() ? "saved " + taken->path : taken->problem);
-  });
-}
-
 void LiveWindow::save_csv(StepRange steps) {
   try {
     const std::string path = save_history_csv(job_.screenshot, runner_.snapshot(), steps);
@@ -288,9 +259,13 @@ void LiveWindow::save_csv(StepRange steps) {
   }
 }
 
+/// As long as it takes to read.
 void LiveWindow::show(const std::string& message) {
+  constexpr double kOfCharacter = 0.06, kLongest = 12;  // seconds
   message_ = message;
-  schedule_.message_shown(glfwGetTime());
+  const double reading = kOfCharacter * static_cast<double>(message.size());
+  schedule_.message_shown(glfwGetTime(),
+                          std::clamp(reading, RedrawSchedule::kMessageSeconds, kLongest));
 }
 
 }  // namespace pupflow::window

@@ -23,10 +23,11 @@ Painter::Image placed(const gl::SharedPicture& picture, const PixelBox& area) {
 
 /// Beside each other, or one above the other where that leaves more room.
 LiveWindow::ArenaAreas LiveWindow::split_arena(const Area& arena, bool two) {
+  split_ = !two ? Split::none : arena.size.x >= arena.size.y ? Split::beside : Split::above;
   if (!two) return {arena, {}};
   const ImVec2 corner = arena.corner;
   ImVec2 half = arena.size;
-  if (half.x >= half.y) {
+  if (split_ == Split::beside) {
     half.x = std::floor(half.x / 2);
     return {{corner, half}, Area{{corner.x + half.x, corner.y}, half}};
   }
@@ -53,7 +54,7 @@ LiveWindow::DrawnArenas LiveWindow::draw_arenas(const ArenaAreas& areas) {
   const int samples = schedule_.samples(controls_.look.samples());
   DrawnArenas drawn;
   const auto draw = [&](ArenaView& view, ArenaMarks& marks, const LitterView& litter,
-                        const Area& area, bool fresh, bool& unmarked, const view::Marks& more) {
+                        const Area& area, bool fresh, bool& unmarked) {
     const PixelBox place = pixels_of(area);
     view.set_look(controls_.look);
     drawn.anew |= view.draw(litter, fresh, scale_, place.width(), place.height(), samples);
@@ -64,10 +65,9 @@ LiveWindow::DrawnArenas LiveWindow::draw_arenas(const ArenaAreas& areas) {
     if (mark) unmarked = false;
     marks.paint(*ImGui::GetBackgroundDrawList(),
                 {litter, scale_, view.drawn_camera(), view.bodies(), area}, mark, controls_.look,
-                more);
+                marks_of(litter, view.drawn_camera()));
   };
-  draw(arena_, marks_, snapshot.view(), areas.first, schedule_.fresh(), unmarked_,
-       selection_marks());
+  draw(arena_, marks_, snapshot.view(), areas.first, schedule_.fresh(), unmarked_);
   if (!areas.second) {
     second_.reset();
     return drawn;
@@ -78,7 +78,7 @@ LiveWindow::DrawnArenas LiveWindow::draw_arenas(const ArenaAreas& areas) {
   }
   second_->view.look_from(arena_.camera());
   draw(second_->view, second_->marks, snapshot.second->view(), *areas.second,
-       schedule_.fresh() || begins, second_->unmarked, {});
+       schedule_.fresh() || begins, second_->unmarked);
   label_arenas(areas);
   return drawn;
 }
@@ -90,16 +90,16 @@ void LiveWindow::label_arenas(const ArenaAreas& areas) const {
   const Params& second = snapshot.second->view().params;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float em = ImGui::GetFontSize();
-  const auto label = [&](const Area& area, const std::string& text) {
-    draw_rich_text(list, gui_->fonts(), {area.corner.x + em, area.corner.y + em},
-                   ImGui::GetColorU32(ImGuiCol_Text), text);
+  const auto label = [&](const Area& area, const std::string& text) {  // as in pictures
+    const float width = rich_text_width(gui_->fonts(), text);
+    draw_rich_text(list, gui_->fonts(), {area.middle().x - width / 2, area.corner.y + em},
+                   kPaperInk, text);
   };
   label(areas.first, differing_values(first, second));
   label(*areas.second, differing_values(second, first));
   const ImVec2 from = areas.second->corner;
-  const bool beside = from.y == areas.first.corner.y;
-  const ImVec2 to = beside ? ImVec2{from.x, from.y + areas.second->size.y}
-                           : ImVec2{from.x + areas.second->size.x, from.y};
+  const ImVec2 to = split_ == Split::beside ? ImVec2{from.x, from.y + areas.second->size.y}
+                                            : ImVec2{from.x + areas.second->size.x, from.y};
   list.AddLine(from, to, ImGui::GetColorU32(ImGuiCol_Border));
 }
 

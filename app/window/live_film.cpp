@@ -20,8 +20,11 @@ void LiveWindow::switch_film() {
   const LiveState& state = runner_.snapshot();
   try {
     settle_ended_film(true);
-    film_ = std::make_unique<Film>(film_path(state.view().step), state.view(), controls_.look,
-                                   arena_.camera(), controls_.speed, glfwPostEmptyEvent);
+    SeenPicture picture = new_picture(controls_.look);
+    picture.refuse_large();
+    film_ = std::make_unique<Film>(film_path(state.view().step), state.view(), std::move(picture),
+                                   controls_.look, arena_.camera(), controls_.speed,
+                                   glfwPostEmptyEvent);
     film_holds_ = false;
     controls_.commands.push_back(Advance{0});  // pauses: from here on the film asks for the steps
     controls_.filmed = 0;
@@ -40,15 +43,15 @@ void LiveWindow::film_snapshot() {
   const bool bad = !state.status.ok();  // the step of the next frame will not come
   if (state.playing || (!bad && !film_->due(step))) return;
   film_frame_ = std::make_shared<FilmFrame>(FilmFrame{{}, step, bad, {}, false});
-  const auto draw =
-      [frame = film_frame_, film = film_.get(), litter = state.view(),
-       camera = arena_.camera_for(film_->picture(), state.view())](gl::Renderer& renderer) {
-        try {
-          frame->image = film->picture().draw(renderer, litter, camera);
-        } catch (const io::Failure& failure) {
-          frame->problem = failure.what();
-        }
-      };
+  fit_scale();
+  const auto draw = [frame = film_frame_, film = film_.get(),
+                     scene = scene_for(film_->picture())](gl::Renderer& renderer) {
+    try {
+      frame->image = film->picture().draw(renderer, scene);
+    } catch (const io::Failure& failure) {
+      frame->problem = failure.what();
+    }
+  };
   arena_.start(draw, [frame = film_frame_] { frame->drawn = true; });
 }
 

@@ -6,15 +6,23 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <utility>
 
 #include "app/gl/load.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/text.h"
 #include "app/window/panels/overlays.h"
+#include "app/window/picture_path.h"
 
 namespace pupflow::window {
 namespace {
+
+/// Where no scene says what is seen.
+constexpr const char* kWelcome =
+    "Pups that are cold turn to where it is warm, and huddle. Make the air colder or warmer with "
+    "T\u2090; "
+    "drag the arena to turn it; click on a pup to look into it. F1 has the keys.";
 
 bool drawn_by_processor() {
   const std::string name = gl::renderer_name();
@@ -58,6 +66,7 @@ LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     std::cerr << "OpenGL: " << window_.name() << ", " << gl::renderer_name() << ", "
               << gl::version_text() << '\n';
   }
+  show(desk_.description().empty() ? kWelcome : desk_.title() + ": " + desk_.description());
 }
 
 void LiveWindow::run() {
@@ -129,6 +138,7 @@ void LiveWindow::exchange_snapshots(double now) {
 void LiveWindow::frame(double now) {
   schedule_.begin_frame(now);
   gui_->begin_frame();
+  typing_ends_ = false;
   const ImGuiIO& io = ImGui::GetIO();
   const Layout layout = lay_out();
   const LiveState& snapshot = runner_.snapshot();
@@ -145,22 +155,23 @@ void LiveWindow::frame(double now) {
   }
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
+  if (const double rest = std::exchange(controls_.wake_in, 0); rest > 0) {
+    schedule_.wake_at(now + rest);
+  }
   events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
   events_.area("arena", layout.arena);
   const ArenaAreas arenas = split_arena(layout.arena, snapshot.second.has_value());
-  point_at_pups(arenas.first);
+  point_at_pups(arenas);
   events_.problem(controls_.problem_at, controls_.problem);
-  move_camera(arenas.second && arenas.second->holds(io.MousePos) ? *arenas.second : arenas.first,
-              now);
+  move_camera(at_second(arenas) ? *arenas.second : arenas.first, now);
   desk_frame(input);
   lead_camera(now);
   controls_.watch();
   const DrawnArenas drawn = draw_arenas(arenas);
   const PixelBox seen = pixels_of(
-      {arenas.first.corner, {arenas.first.size.x + layout.bar.size.x, arenas.first.size.y}});
-  picture_width_ = seen.width();
-  picture_height_ = seen.height();
+      {layout.arena.corner, {layout.arena.size.x + layout.bar.size.x, layout.arena.size.y}});
+  controls_.seen_size = {seen.width(), seen.height()};
   gui_->end_frame();
 
   carry_out(now);

@@ -10,6 +10,7 @@
 #include "app/window/history_csv.h"
 #include "app/window/panels/celsius.h"
 #include "app/window/panels/choice.h"
+#include "app/window/panels/list_rows.h"
 #include "app/window/panels/plot_curves.h"
 
 namespace pupflow::window {
@@ -170,7 +171,7 @@ void PlotsPanel::draw_choices(const PanelInput& in, const Frame& frame) {
   if (ImGui::Button("CSV")) ImGui::OpenPopup("plots-csv");
   in.events.widget("plots-csv");
   if (!ImGui::BeginPopup("plots-csv")) return;
-  export_items(in, frame);
+  list_rows([&] { export_items(in, frame); });
   ImGui::EndPopup();
 }
 
@@ -179,11 +180,13 @@ void PlotsPanel::draw_menu(const PanelInput& in, const Frame& frame) {
     ImGui::OpenPopup("plots-menu");
   }
   if (!ImGui::BeginPopup("plots-menu")) return;
-  for (std::size_t i = 0; i < kSpans.size(); ++i) {
-    if (ImGui::MenuItem(kSpans[i].text, nullptr, i == span_)) span_ = i;
-  }
-  ImGui::Separator();
-  export_items(in, frame);
+  list_rows([&] {
+    for (std::size_t i = 0; i < kSpans.size(); ++i) {
+      if (ImGui::MenuItem(kSpans[i].text, nullptr, i == span_)) span_ = i;
+    }
+    ImGui::Separator();
+    export_items(in, frame);
+  });
   ImGui::EndPopup();
 }
 

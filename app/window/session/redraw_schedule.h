@@ -50,7 +50,9 @@ class RedrawSchedule {
   void snapshot_arrived(double now);
 
   /// A message is shown from now on; it replaces an earlier one.
-  void message_shown(double now) { message_ends_ = now + kMessageSeconds; }
+  void message_shown(double now, double seconds = kMessageSeconds) {
+    message_ends_ = now + seconds;
+  }
 
   /// A frame begins. `end_frame` ends it; the three functions between them are called within it.
   void begin_frame(double now);

@@ -68,7 +68,7 @@ bool ArenaView::draw(const LitterView& litter, bool fresh, const view::ColorScal
           .done = [this] { take_drawn(); },
           .holds = true});
   }
-  if (drawing_ && took_ <= kQuick) collect_within(kQuick);
+  if (drawing_ && !anew_ && took_ <= kQuick) collect_within(kQuick);
   return std::exchange(anew_, false);
 }
 

@@ -2,9 +2,9 @@
 // that cover it, two arenas, and the order in which panels and arena change.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -58,7 +58,7 @@ TEST_F(LiveDisplay, ACoveredWindowDrawsNothingAndGoesOnStepping) {
 }
 
 TEST_F(LiveDisplay, BothArenasShowTheirLitter) {
-  open({"--paused", "--set", "pups=2", "--set", "tb0=0.1"});
+  open({"--paused"});
   await("samples ");
   const Box arena = widget("arena");
   click("compare");

@@ -79,6 +79,11 @@ bool Runner::take() {
   return true;
 }
 
+bool Runner::commands_to_come() {
+  const std::lock_guard lock(mutex_);
+  return !queue_.empty() || busy_since_ > 0;
+}
+
 double Runner::busy_for() const {
   const double since = busy_since_;
   return since > 0 ? seconds() - since : 0;
@@ -88,7 +93,6 @@ void Runner::loop() {
   try {
     std::vector<Command> commands;
     while (wait_for_work(commands)) {
-      busy_since_ = seconds();
       if (!commands.empty()) apply(commands);
       const double now = seconds();
       if (session_.hurried() || (session_.running() && pacer_.due(now))) step(now);
@@ -120,6 +124,7 @@ bool Runner::wait_for_work(std::vector<Command>& commands) {
     changed_.wait(lock, called);
   }
   std::swap(commands, queue_);
+  busy_since_ = seconds();
   return !stop_;
 }
 
@@ -164,12 +169,13 @@ void Runner::publish() {
   session_.fill(*back_, options_.hashed);
   back_->steps_per_second = steps_per_second_;
   back_->microseconds_per_step = microseconds_per_step_;
+  bool told = false;  // of one that is not taken yet
   {
     const std::lock_guard lock(mutex_);
     std::swap(back_, middle_);
-    fresh_ = true;
+    told = std::exchange(fresh_, true);
   }
-  if (options_.notify) options_.notify();
+  if (options_.notify && !told) options_.notify();
 }
 
 }  // namespace pupflow::window

@@ -43,6 +43,9 @@ class Runner {
   /// was not yet taken is made anew after a command, so that its effect is seen at once.
   void request();
 
+  /// Whether something that was sent is not carried out yet.
+  bool commands_to_come();
+
   /// Seconds for which the runner has been at one step or command; 0 while it waits.
   double busy_for() const;
 

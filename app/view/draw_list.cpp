@@ -66,6 +66,21 @@ Vertex lit(const Eigen::Vector3f& place, Rgb color, float brightness, std::uint8
   return {place.x(), place.y(), place.z(), byte(color.r), byte(color.g), byte(color.b), cover};
 }
 
+/// Whether it may be before the eye, and between the picture's upper and lower edge. Beside the eye a
+/// body would get the finest of skins.
+bool in_view(const Ball& ball, const Camera& camera) {
+  constexpr double kReach = 2;  // of the furthest point, radii
+  if (!(ball.radius > 0)) return true;
+  const double reach = kReach * static_cast<double>(ball.radius);
+  const Eigen::Vector3d place = ball.centre.cast<double>() - camera.eye();
+  const double depth = -camera.backward().dot(place), height = std::abs(camera.up().dot(place));
+  if (camera.projection() == Camera::Projection::orthographic) {
+    return height < camera.half_height() + reach;
+  }
+  const double slope = camera.half_height() / camera.distance();
+  return depth > -reach && height < slope * depth + std::hypot(1, slope) * reach;
+}
+
 }  // namespace
 
 struct DrawList::Body {
@@ -120,27 +135,12 @@ void DrawList::update(const LitterView& litter, const ColorScale& scale, const C
                     balls_[pup], eye,
                     backward,    perspective,
                     pixel};
-    if (drawing.culling == Culling::hidden && !in_view(body.ball)) continue;
+    if (drawing.culling == Culling::hidden && !in_view(body.ball, camera)) continue;
     const bool has_skin = face_points_ >= 2 && body.ball.radius > 0;
     if (has_skin && drawing.draw != Draw::points) add_skin(body, light);
     if (!has_skin || drawing.draw != Draw::skin) add_spheres(body, light);
   }
   if (drawing.quality != Quality::fast && pups > 0) light.on_floor(arena_radius_, floor_);
-}
-
-/// Whether it may be before the eye, and between the picture's upper and lower edge. Beside the eye a
-/// body would get the finest of skins.
-bool DrawList::in_view(const Ball& ball) const {
-  constexpr double kReach = 2;  // of the furthest point, radii
-  if (!(ball.radius > 0)) return true;
-  const double reach = kReach * static_cast<double>(ball.radius);
-  const Eigen::Vector3d place = ball.centre.cast<double>() - camera_.eye();
-  const double depth = -camera_.backward().dot(place), height = std::abs(camera_.up().dot(place));
-  if (camera_.projection() == Camera::Projection::orthographic) {
-    return height < camera_.half_height() + reach;
-  }
-  const double slope = camera_.half_height() / camera_.distance();
-  return depth > -reach && height < slope * depth + std::hypot(1, slope) * reach;
 }
 
 void DrawList::find_bodies(const LitterView& litter) {

@@ -65,7 +65,6 @@ class DrawList {
   struct Body;  // what is known of one pup while it is added
 
   void find_bodies(const LitterView& litter);
-  bool in_view(const Ball& ball) const;
   void add_spheres(const Body& body, const Light& light);
   void add_skin(const Body& body, const Light& light);
   void add_cells(const Body& body, const SkinMesh& mesh, const std::vector<Vertex>& vertices,

@@ -62,8 +62,11 @@ TEST_F(LiveDisplay, BothArenasShowTheirLitter) {
   await("samples ");
   const Box arena = widget("arena");
   click("compare");
-  click("compare-seed");
-  await("second seed");
+  click("compare-value");
+  await("text on");
+  type("0.7");
+  click("compare-start");
+  await("second ");
   settle();
   // Where a litter stands there are many colors.
   const auto colors = [&](int from, int to) {

@@ -111,9 +111,8 @@ class Session {
  public:
   /// For keyframes, of all runs together.
   static constexpr std::size_t kKeyframeBytes = std::size_t{256} << 20;
-  /// Forces that the recipe of a run holds at most: 5 minutes of pulling. Each one has all looked
-  /// through.
-  static constexpr std::ptrdiff_t kMostPulls = 10'000;
+  /// Forces that the recipe of a run holds at most: 45 s of pulling. Each one has all checked.
+  static constexpr std::ptrdiff_t kMostPulls = 1500;
 
   /// A new litter, or with `from` the litter of that snapshot, whose recipe is then `params`. Throws
   /// InvalidParams.

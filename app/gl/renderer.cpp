@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "app/gl/uniforms.h"
@@ -129,9 +130,17 @@ void Renderer::Mesh::upload(const view::Triangles& triangles) {
   count = static_cast<GLsizei>(triangles.indices.size());
 }
 
+/// By parts: llvmpipe fails where one has some 2^25 corners, and between them another context draws.
 void Renderer::Mesh::draw() const {
+  constexpr GLsizei kPart = 3 << 15;
   glBindVertexArray(array.name());
-  glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr);
+  for (GLsizei first = 0; first < count; first += kPart) {
+    const auto offset = static_cast<std::uintptr_t>(first) * sizeof(std::uint32_t);
+    // OpenGL wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    glDrawElements(GL_TRIANGLES, std::min(kPart, count - first), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(offset));
+    if (first + kPart < count) glFlush();
+  }
 }
 
 Renderer::Renderer(const std::string& shader_dir)

@@ -60,6 +60,21 @@ struct Skin {
   }
 };
 
+/// Whether it may be before the eye, and between the picture's upper and lower edge. Beside the eye a
+/// body would get the finest of skins.
+bool in_view(const Ball& ball, const Camera& camera) {
+  constexpr double kReach = 2;  // of the furthest point, radii
+  if (!(ball.radius > 0)) return true;
+  const double reach = kReach * static_cast<double>(ball.radius);
+  const Eigen::Vector3d place = ball.centre.cast<double>() - camera.eye();
+  const double depth = -camera.backward().dot(place), height = std::abs(camera.up().dot(place));
+  if (camera.projection() == Camera::Projection::orthographic) {
+    return height < camera.half_height() + reach;
+  }
+  const double slope = camera.half_height() / camera.distance();
+  return depth > -reach && height < slope * depth + std::hypot(1, slope) * reach;
+}
+
 }  // namespace
 
 void DrawList::update(const LitterView& litter, const ColorScale& scale, const Camera& camera,
@@ -98,6 +113,7 @@ void DrawList::update(const LitterView& litter, const ColorScale& scale, const C
                     balls_[pup], eye,
                     backward,    perspective,
                     pixel};
+    if (drawing.culling == Culling::hidden && !in_view(body.ball, camera)) continue;
     if (is_small(body)) {
       add_ellipsoid(body, light);
       continue;

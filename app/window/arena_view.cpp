@@ -25,25 +25,29 @@ ArenaView::ArenaView(const context::GlfwWindow& window, const pictures::Look& lo
                      std::function<void()> notify)
     : look_(look), context_(window), worker_(std::move(notify)) {
   give({.work =
-            [this] {
+            [this, shaders = look.shader_dir] {
               context_.make_current();
-              studio_.emplace(Studio{gl::Renderer(look_.shader_dir), {}});
+              studio_.emplace(Studio{gl::Renderer(shaders), {}});
             },
         .done = {},
         .holds = false});
 }
 
 ArenaView::~ArenaView() {
-  try {
-    finish();
-  } catch (...) {
-    jobs_.clear();  // it was told, or the window ends for another reason
-  }
+  const auto wait = [&] {
+    for (bool idle = false; !idle;) {
+      try {
+        idle = worker_.done_within(kForever);
+      } catch (...) {  // the window ends without its picture
+      }
+    }
+  };
+  wait();
   worker_.start([this] {
     studio_.reset();
     context_.release_current();
   });
-  worker_.done_within(kForever);
+  wait();
 }
 
 bool ArenaView::Wanted::same_as(const Wanted& other) const {
@@ -68,7 +72,7 @@ bool ArenaView::draw(const LitterView& litter, bool fresh, const view::ColorScal
           .done = [this] { take_drawn(); },
           .holds = true});
   }
-  if (drawing_ && took_ <= kQuick) collect_within(kQuick);
+  if (drawing_ && !anew_ && took_ <= kQuick) collect_within(kQuick);
   return std::exchange(anew_, false);
 }
 

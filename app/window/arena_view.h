@@ -26,7 +26,7 @@ class ArenaView {
   /// Failure(no_context).
   ArenaView(const context::GlfwWindow& window, const pictures::Look& look,
             std::function<void()> notify);
-  /// Waits for what is under way.
+  /// Waits for what is under way, and leaves out what stands behind it: see `finish`.
   ~ArenaView();
   ArenaView(const ArenaView&) = delete;
   ArenaView& operator=(const ArenaView&) = delete;

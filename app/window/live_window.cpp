@@ -11,6 +11,7 @@
 #include "app/gl/load.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
+#include "app/io/text.h"
 #include "app/window/panels/overlays.h"
 #include "app/window/picture_path.h"
 
@@ -34,6 +35,7 @@ bool drawn_by_processor() {
 LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
+      covering_(window_.handle()),
       painter_(window_, drawn_by_processor()),
       arena_(window_, job.look, glfwPostEmptyEvent),
       events_(job.test_events),
@@ -80,6 +82,7 @@ void LiveWindow::run() {
     if (drawn || second_drawn) schedule_.panels_changed();
     exchange_snapshots(now);
     feed_film();
+    if (runner_.busy_for() > kLongStep) schedule_.panels_changed();
     if (schedule_.frame_due(now)) frame(now);
   }
   arena_.finish();
@@ -106,12 +109,16 @@ void LiveWindow::wait_for_events() {
 }
 
 void LiveWindow::follow_visibility() {
-  const bool visible = glfwGetWindowAttrib(window_.handle(), GLFW_VISIBLE) == GLFW_TRUE &&
-                       glfwGetWindowAttrib(window_.handle(), GLFW_ICONIFIED) == GLFW_FALSE;
+  const bool shown = glfwGetWindowAttrib(window_.handle(), GLFW_VISIBLE) == GLFW_TRUE &&
+                     glfwGetWindowAttrib(window_.handle(), GLFW_ICONIFIED) == GLFW_FALSE;
+  if (suspended_ != (!shown && controls_.pause_minimised)) {
+    suspended_ = !suspended_;
+    runner_.send(Suspend{suspended_});
+  }
+  const bool visible = shown && !covering_.whole();
   if (visible == schedule_.visible()) return;
   schedule_.set_visible(visible);
   events_.visible(visible);
-  runner_.send(Suspend{!visible && controls_.pause_minimised});
 }
 
 void LiveWindow::exchange_snapshots(double now) {
@@ -141,7 +148,11 @@ void LiveWindow::frame(double now) {
   panels_.draw(layout, input);
   fit_scale();
   legend_.draw(layout.bar, scale_, input);
-  if (schedule_.shows_message()) draw_message(layout.arena, message_);
+  if (schedule_.shows_message()) {
+    draw_message(layout.arena, message_);
+  } else if (const double busy = runner_.busy_for(); busy > kLongStep) {
+    draw_message(layout.arena, io::formatted("one step or change takes long: %.0f s so far", busy));
+  }
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
   if (const double rest = std::exchange(controls_.wake_in, 0); rest > 0) {

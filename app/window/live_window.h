@@ -27,6 +27,7 @@
 #include "app/window/session/runner.h"
 #include "app/window/settings.h"
 #include "app/window/test_events.h"
+#include "app/window/x_covering.h"
 
 namespace pupflow::window {
 
@@ -137,6 +138,7 @@ class LiveWindow {
     Eigen::Vector3d middle;  // when the mouse took it
     Eigen::Vector3d target;  // where it is pulled to
   };
+  static constexpr double kLongStep = 1;    // seconds of a step or command that the user is told of
   static constexpr float kStillPixels = 4;  // a press that moved no further is a click
   view::Ray sight_at_mouse(const Area& arena) const;
   bool at_second(const ArenaAreas& arenas) const;
@@ -150,6 +152,7 @@ class LiveWindow {
 
   LiveJob job_;
   context::GlfwWindow window_;  // outlives everything that lives in its context
+  Covering covering_;
   Painter painter_;
   ArenaView arena_;
   ArenaMarks marks_;
@@ -167,6 +170,7 @@ class LiveWindow {
   RedrawSchedule schedule_;
   std::unique_ptr<Film> film_, ended_film_;  // the latter is still being finished
   std::shared_ptr<FilmFrame> film_frame_;
+  bool suspended_ = false;   // the runner: minimised, and so it was chosen
   bool film_holds_ = false;  // it takes no further steps
   SceneDesk desk_;
   Dialogs dialogs_;

@@ -264,5 +264,31 @@ TEST(DrawList, WhatIsOffIsNotMade) {
   EXPECT_TRUE(list.outline().indices.empty());
 }
 
+TEST(DrawList, HoldsNothingOfWhatIsBehindTheEyeOrFarBelowTheView) {
+  Params params;
+  params.pups = 2;
+  Simulation simulation(params);
+  std::vector<double> both_clouds(2 * 3 * 294);
+  simulation.view().positions.copy_to(both_clouds);
+  const std::vector<double> cloud(both_clouds.begin() + 3 * 294, both_clouds.end());
+  const std::vector<double> rest(cloud.size(), 0.0);
+  const Eigen::Vector3d middle = simulation.view().positions.mean(1);
+  const auto count = [&](double forward, double up) {
+    const Camera camera = Camera::parse("orbit:0,0,10");
+    const Eigen::Vector3d place = camera.eye() - forward * camera.backward() + up * camera.up();
+    const Eigen::Vector3d shift = place - middle;
+    std::vector<double> moved = cloud;
+    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += shift[static_cast<int>(i % 3)];
+    simulation.set_cloud(1, moved, rest);
+    DrawList list;
+    list.update(simulation, kScale, camera, kVisible);
+    return list.spheres().size();
+  };
+  const std::size_t both = count(10, 0);
+  EXPECT_LT(count(-5, 0), both);
+  EXPECT_LT(count(10, -5), both);
+  EXPECT_GT(count(0.2, 0), count(-5, 0)) << "beside the eye it may be seen";
+}
+
 }  // namespace
 }  // namespace pupflow::view

@@ -18,10 +18,10 @@ double microseconds_between(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double, std::micro>(end - begin).count();
 }
 
-/// Microseconds of processor time that this thread has used.
-double thread_time() {
+/// Microseconds of processor time that this clock has counted.
+double processor_time(clockid_t clock) {
   timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  clock_gettime(clock, &now);
   return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
@@ -79,9 +79,15 @@ double microseconds(const std::function<void()>& work) {
 }
 
 double busy_microseconds(const std::function<void()>& work) {
-  const double begin = thread_time();
+  const double begin = processor_time(CLOCK_THREAD_CPUTIME_ID);
   work();
-  return thread_time() - begin;
+  return processor_time(CLOCK_THREAD_CPUTIME_ID) - begin;
+}
+
+double program_microseconds(const std::function<void()>& work) {
+  const double begin = processor_time(CLOCK_PROCESS_CPUTIME_ID);
+  work();
+  return processor_time(CLOCK_PROCESS_CPUTIME_ID) - begin;
 }
 
 std::vector<std::vector<double>> in_turns(const std::vector<Contender>& contenders, int rounds) {

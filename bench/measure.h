@@ -23,6 +23,9 @@ double microseconds(const std::function<void()>& work);
 /// work of many milliseconds.
 double busy_microseconds(const std::function<void()>& work);
 
+/// The same of all threads of this program.
+double program_microseconds(const std::function<void()>& work);
+
 /// Something that is measured again and again: one call measures it once and returns a time.
 struct Contender {
   std::string name;

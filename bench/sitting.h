@@ -15,12 +15,13 @@ namespace pupflow::bench {
 
 constexpr int kPictureWidth = 1280, kPictureHeight = 960;
 
-/// The pictures that `pupflow render` takes of the huddling litter, without their color bar, in
-/// the parts that they are made of. One at a time.
+/// The pictures that `pupflow render` takes of a litter, without their color bar, in the parts that
+/// they are made of. One at a time.
 class Sitting {
  public:
-  /// Throws io::Failure without OpenGL.
-  Sitting();
+  /// Of litters in the arena of `params`. Throws io::Failure without OpenGL.
+  explicit Sitting(const Params& params = huddling(Precision::float_), int width = kPictureWidth,
+                   int height = kPictureHeight);
 
   /// What is seen of `simulation` becomes the list that is drawn.
   void list(const Simulation& simulation, const view::Drawing& drawing = {});

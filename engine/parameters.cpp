@@ -223,6 +223,7 @@ std::vector<Problem> check_schedule(const Params& params) {
   std::vector<std::int64_t> ends;  // between them all values lie between those there
   for (const Change& change : params.schedule.changes()) {
     check_change(params, change, problems);
+    if (change.settings.empty()) continue;
     ends.insert(ends.end(), {change.step, change.until.value_or(change.step)});
   }
   std::sort(ends.begin(), ends.end());

@@ -13,6 +13,10 @@ uniform float grid_shade;  // brightness of its lines
 uniform bool lit;
 uniform sampler2D light;  // over the square around the floor
 
+uniform vec3 eye;
+uniform vec3 backward;
+uniform bool perspective;
+
 out vec4 fragment;
 
 void main() {
@@ -20,6 +24,7 @@ void main() {
   vec2 pixels = max(fwidth(place), 1e-6);
   float pixel = max(fwidth(r), 1e-6);
   float cover = clamp((outer_radius - r) / pixel + 0.5, 0.0, 1.0);
+  if (cover <= 0.0) discard;  // it hides nothing
   vec3 color = floor_color;
   if (spacing > 0.0) {
     vec2 from_line = abs(fract(place / spacing + 0.5) - 0.5) * spacing;
@@ -29,5 +34,11 @@ void main() {
   }
   if (lit) color *= texture(light, place / (2.0 * floor_radius) + 0.5).r;
   color = mix(slab_color, color, clamp((floor_radius - r) / pixel + 0.5, 0.0, 1.0));
+  // On the near side the slab's own side goes on below the edge.
+  bool near = dot(place, perspective ? eye.xy - place : backward.xy) > 0.0;
+  if (near && r < outer_radius) {
+    color = mix(0.82 * slab_color, color, cover);
+    cover = 1.0;
+  }
   fragment = vec4(color, cover);
 }

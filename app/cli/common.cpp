@@ -3,6 +3,7 @@
 
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
+#include "app/io/failure.h"
 #include "app/io/nearest.h"
 
 namespace pupflow::cli {
@@ -25,6 +26,11 @@ std::function<std::string(const std::string&)> one_of(const std::vector<std::str
     const std::string meant = io::did_you_mean(text, words);
     return io::quoted(text) + " is none of " + io::joined(words, ", ") + meant;
   };
+}
+
+void refuse_idle(const CLI::App& verb, const std::string& option, bool acts,
+                 const std::string& without) {
+  if (!acts && verb.count(option) > 0) io::refuse(option + ": has no effect without " + without);
 }
 
 void add_common(CLI::App& verb, Common& common, const CommonHelp& help) {
@@ -53,7 +59,7 @@ void add_common(CLI::App& verb, Common& common, const CommonHelp& help) {
   verb.add_option("--row", settings.row,
                   "With --like runs.csv: the run of this row; 1 is the first")
       ->option_text("N")
-      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, kUnbounded));
   verb.add_option("--seed", settings.seed, "Short for --set seed=N")->option_text("N");
   verb.add_option("--steps", settings.steps, "Short for --set steps=N")->option_text("N");
   verb.add_option("--precision", settings.precision, "Short for --set precision=...")

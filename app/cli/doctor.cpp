@@ -6,11 +6,11 @@
 
 #include "app/cli/graphics_module.h"
 #include "app/cli/module.h"
+#include "app/cli/optional_parts.h"
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
 #include "app/io/json.h"
 #include "app/io/machine.h"
-#include "app/io/movie.h"
 #include "app/io/table.h"
 #include "pupflow/version.h"
 
@@ -22,12 +22,24 @@ struct Options {
   bool json = false;
 };
 
-bool is_module_there(const std::string& file) {
-  const std::vector<std::string> places = module_candidates(file);
-  return std::any_of(places.begin(), places.end(), [](const std::string& place) {
+bool is_here(const OptionalPart& part) {
+  return std::any_of(part.places.begin(), part.places.end(), [&part](const char* place) {
+    if (part.kind == "run") return !io::program_path(place).empty();
     std::error_code unreadable;  // as good as not there
-    return std::filesystem::exists(place, unreadable);
+    return std::filesystem::exists(program_folder() / place, unreadable);
   });
+}
+
+/// A row for each part, and what to install for those that are not here.
+void add_optional_parts(std::vector<io::Row>& rows, std::vector<std::string>& advice) {
+  for (const OptionalPart& part : kOptionalParts) {
+    const bool here = is_here(part), built = part.kind == "built";
+    const std::string thing = built ? "module" : part.thing;
+    rows.push_back({part.name, here ? thing + " found" : "no " + thing});
+    if (here) continue;
+    advice.push_back(std::string(part.purpose) + " need " + part.thing + ": apt install " +
+                     part.packages + (built ? ", build again" : ""));
+  }
 }
 
 std::vector<io::Row> build_rows() {
@@ -77,18 +89,7 @@ void work(const Options& options) {
   io::set_up(options.common.settings);  // checked like everywhere
   std::vector<io::Row> rows = build_rows();
   std::vector<std::string> advice;
-  const bool plots = !io::program_path("gnuplot").empty();
-  rows.push_back({"figures", plots ? "gnuplot found" : "no gnuplot"});
-  const bool films = io::has_ffmpeg();
-  rows.push_back({"films", films ? "ffmpeg found" : "no ffmpeg"});
-  const bool ranks = is_module_there(io::kMpiModule);
-  rows.push_back({"mpi", ranks ? "module found: mpirun and srun spread sweeps" : "not built"});
-  if (!ranks) {
-    advice.emplace_back(
-        "sweeps over several machines need MPI: apt install libopenmpi-dev, build again");
-  }
-  if (!plots) advice.emplace_back("the figures of sweeps need gnuplot: apt install gnuplot-nox");
-  if (!films) advice.emplace_back("films need ffmpeg: apt install ffmpeg");
+  add_optional_parts(rows, advice);
   try {
     graphics::Graphics& graphics = load_graphics();
     rows.push_back({"graphics", "module loaded"});
@@ -120,9 +121,9 @@ Verb add_doctor(CLI::App& program) {
   CommonHelp help;
   help.scene = false;
   help.settings = "checked, but the report does not depend on it";
-  help.threads = "Accepted everywhere; does nothing here";
+  help.threads = "No effect here; every verb takes it";
   help.out = "Write the report to a file instead of standard output";
-  help.quiet = "Accepted everywhere; the report is all that is printed";
+  help.quiet = "No effect here; the report is all that is printed";
   add_common(*app, options->common, help);
   add_json(*app, options->json);
   app->footer("Exit code 0 whenever it could report, also when something is missing.");

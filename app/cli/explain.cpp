@@ -214,11 +214,11 @@ Verb add_explain(CLI::App& program) {
          "Run N steps before measuring, since the time of contacts depends on what touches "
          "(default 300)")
       ->option_text("N")
-      ->check(between(std::int64_t{0}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{0}, kUnbounded));
   add_json(*app, options->json);
   app->add_flag("--measure", options->measure,
-                "Also force in each part that the scene leaves out, and show the time that leaving "
-                "it out saves and that no bit of the results differs");
+                "Also run with each part that the scene leaves out, show the time that leaving it "
+                "out saves, and check that no bit of the results differs");
   return {app,
           [options] { work(*options); },
           {{"explain", "The stages of the paper's litter and their times"},

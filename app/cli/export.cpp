@@ -32,7 +32,7 @@ std::string format_names(const char* separator) {
 
 void work(Options options) {
   if (!options.scale.empty()) {
-    if (options.format != "gcal") io::refuse("--scale is of --format gcal only");
+    if (options.format != "gcal") io::refuse("--scale: has no effect without --format gcal");
     options.request.scale = read_range(options.scale);
   }
   const io::RecordedRun recording(options.recording);
@@ -51,7 +51,7 @@ Verb add_export(CLI::App& program) {
       ->option_text(" ")
       ->required()
       ->check(not_empty);
-  app->add_option("--format", options->format, "The form")
+  app->add_option("--format", options->format, "The form, one of those below")
       ->option_text(format_names("|"))
       ->required()
       ->check(not_empty);
@@ -61,17 +61,20 @@ Verb add_export(CLI::App& program) {
       ->required()
       ->check(not_empty);
   app->add_option("--field", request.field,
-                  "The field, as 'pupflow info' names it without its group (default: temperature "
-                  "where recorded, else tb)")
+                  "The field, e.g. tb; 'pupflow info' lists those of the recording (default: "
+                  "temperature where it was recorded, else tb)")
       ->option_text("FIELD")
       ->check(not_empty);
   app->add_option("--pup", request.pup, "One pup instead of all")
       ->option_text("N")
       ->check(between(0, 1 << 30));
   app->add_flag("--sheet", request.sheet,
-                "Afferents as square images of the skin, as the recording's skin/sheet has them");
-  app->add_option("--scale", options->scale,
-                  "gcal: what becomes 0 and 1; beyond is cut off (default: the field's range)")
+                "Afferents as square images of the skin; the recording's data set skin/sheet says "
+                "which afferent is where");
+  app->add_option(
+         "--scale", options->scale,
+         "With --format gcal: the values that become 0 and 1; those beyond are cut off (default: "
+         "the field's range)")
       ->option_text("MIN,MAX");
   app->add_flag("--force", request.force, "Replace output files that exist");
   app->add_flag("-q,--quiet", options->quiet, "No progress");

@@ -161,9 +161,9 @@ Verb add_fields(CLI::App& program) {
   CommonHelp help;
   help.scene = false;
   help.settings = "does nothing here";
-  help.threads = "Accepted everywhere; does nothing here";
+  help.threads = "No effect here; every verb takes it";
   help.out = "Write the list to a file instead of standard output";
-  help.quiet = "Accepted everywhere; the list is all that is printed";
+  help.quiet = "No effect here; the list is all that is printed";
   add_common(*app, options->common, help);
   add_format(*app, options->format);
   return {app,

@@ -92,7 +92,8 @@ std::string list_of_scenes(const std::string& format) {
   return format == "markdown" ? markdown : io::aligned(rows);
 }
 
-void work(const ScenesOptions& options) {
+void work(const CLI::App& verb, const ScenesOptions& options) {
+  refuse_idle(verb, "--format", options.name.empty(), "the list; a scene's file is TOML");
   io::set_up(options.common.settings);  // checked like everywhere
   deliver(options.common,
           options.name.empty() ? list_of_scenes(options.format) : scene_text(options.name));
@@ -104,7 +105,9 @@ Verb add_help(CLI::App& program, const std::vector<Verb>& verbs) {
   CLI::App* app = program.add_subcommand(
       "help", "Print the manual: of a verb, of the program, for man or for a shell");
   const auto options = std::make_shared<HelpOptions>();
-  app->add_option("VERB", options->verb, "The verb (default: the program)")->option_text(" ");
+  app->add_option("VERB", options->verb, "The verb (default: the program)")
+      ->option_text(" ")
+      ->check(not_empty);
   app->add_option("--format", options->format, form_help())
       ->option_text(io::joined(form_names(), "|"))
       ->check(one_of(form_names()));
@@ -135,16 +138,16 @@ Verb add_scenes(CLI::App& program) {
   CommonHelp help;
   help.scene = false;
   help.settings = "checked, but the list does not depend on it";
-  help.threads = "Accepted everywhere; does nothing here";
+  help.threads = "No effect here; every verb takes it";
   help.out = "Write to a file instead of standard output";
-  help.quiet = "Accepted everywhere; the list is all that is printed";
+  help.quiet = "No effect here; the list is all that is printed";
   add_common(*app, options->common, help);
   add_format(*app, options->format);
   return {
       app,
-      [options] { work(*options); },
+      [options, app] { work(*app, *options); },
       {{"scenes", "A line for each scene"},
-       {"scenes critical --out mine.toml", "A scene to change and run: pupflow run mine.toml"}}};
+       {"scenes critical --out mine.toml", "A copy to change; 'pupflow run mine.toml' runs it"}}};
 }
 
 }  // namespace pupflow::cli

@@ -62,7 +62,7 @@ Verb add_live(CLI::App& program) {
   help.threads = "Threads that share a step (default: all cores, where the litter is large enough)";
   help.out_names = "-o,--screenshots,--out";
   help.out = "Where the screenshot key writes; %d or %0Nd stands for the step";
-  help.quiet = "Accepted everywhere; the window prints nothing but errors";
+  help.quiet = "No effect here; the window prints nothing but errors";
   add_common(*app, options->common, help);
   app->add_option(
          "--size", options->size,
@@ -82,6 +82,7 @@ Verb add_live(CLI::App& program) {
   app->add_flag("--test-events", options->test_events)->group("");
   add_look(*app, options->look, true);
   add_overlays(*app, options->look);
+  add_trail(*app, options->look);
   return {app,
           [options, app] { work(*app, *options); },
           {{"live", "The paper's litter, playing"},

@@ -7,6 +7,7 @@
 #include "app/cli/verb.h"
 #include "app/io/failure.h"
 #include "app/io/named_field.h"
+#include "app/io/nearest.h"
 #include "app/io/text.h"
 
 namespace pupflow::cli {
@@ -20,7 +21,8 @@ void take_scale(const std::string& text, view::ColorScale& scale) {
   if (name != view::kEndsNames.end() && !text.empty()) {
     return scale.set_ends(static_cast<view::Ends>(name - view::kEndsNames.begin()));
   }
-  const std::string right = "auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1";
+  const std::string right = "auto, around-tp, field or MIN,MAX with MIN < MAX, e.g. 0,1" +
+                            io::did_you_mean(text, view::kEndsNames);
   const std::vector<double> ends = parse_numbers("--scale", text, right);
   if (ends.size() != 2 || !(ends[0] < ends[1])) {
     io::refuse("--scale " + io::quoted(text) + ": must be " + right);
@@ -56,7 +58,8 @@ Enum named(const std::array<std::string_view, N>& names, const std::string& opti
            std::string_view text) {
   const auto found = std::ranges::find(names, text);
   if (found != names.end()) return static_cast<Enum>(found - names.begin());
-  io::refuse(option + " " + io::quoted(text) + ": must be " + io::joined(names, " or "));
+  io::refuse(option + " " + io::quoted(text) + ": must be " + io::joined(names, " or ") +
+             io::did_you_mean(text, names));
 }
 
 template <std::size_t N>
@@ -103,7 +106,8 @@ void add_look(CLI::App& verb, LookOptions& options, bool automatic) {
       ->check(between(1, pictures::kMostSamples));
   verb.add_option("--shader-dir", options.shader_dir,
                   "Read the shaders from this folder instead of the built-in ones")
-      ->option_text("FOLDER");
+      ->option_text("FOLDER")
+      ->check(not_empty);
   verb.add_flag("--verbose", options.verbose, "Tell which OpenGL context and renderer is used");
 }
 
@@ -117,16 +121,22 @@ void add_overlays(CLI::App& verb, LookOptions& options) {
                   "What to draw over the litter, joined by commas. " + overlays)
       ->option_text("OVERLAY,...")
       ->check(not_empty);
+  verb.add_flag("--caption", options.caption, "Write into the picture what it shows");
+}
+
+void add_trail(CLI::App& verb, LookOptions& options) {
   verb.add_option("--trail", options.trail,
-                  "Length of trails in seconds of the model (default " +
+                  "Length of the overlay's trails in seconds of the model (default " +
                       io::number_text(options.trail) + ")")
       ->option_text("S")
       ->check(between(0.01, pictures::kLongestTrail));
-  verb.add_flag("--caption", options.caption, "Write into the picture what it shows");
 }
 
 void add_picture_look(CLI::App& verb, LookOptions& options) {
   add_overlays(verb, options);
+  verb.add_flag("--celsius", options.celsius,
+                "Temperatures in degrees, too: beside the legend of the colors, in titles and "
+                "the caption; 0.6 is 37 °C");
   verb.add_flag("--transparent", options.transparent, "Leave out the paper behind the scene");
   verb.add_option("--dpi", options.dpi, "Dots per inch that the file names")
       ->option_text("N")
@@ -141,7 +151,8 @@ const std::string* find_entry(const io::TextEntries& entries, std::string_view k
 void take_look(const CLI::App& verb, const io::TextEntries& picture, LookOptions& options) {
   const auto take = [&](const char* key, const char* option, auto& value) {
     const std::string* entry = find_entry(picture, key);
-    if (entry == nullptr || verb.count(option) > 0) return;
+    const CLI::Option* declared = verb.get_option_no_throw(option);
+    if (entry == nullptr || (declared != nullptr && declared->count() > 0)) return;
     using Value = std::remove_reference_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, std::string>) {
       value = *entry;
@@ -163,6 +174,7 @@ void take_look(const CLI::App& verb, const io::TextEntries& picture, LookOptions
   take("overlay", "--overlay", options.overlay);
   take("trail", "--trail", options.trail);
   take("caption", "--caption", options.caption);
+  take("celsius", "--celsius", options.celsius);
   take("transparent", "--transparent", options.transparent);
   take("dpi", "--dpi", options.dpi);
 }
@@ -186,6 +198,7 @@ pictures::Look look_of(const LookOptions& options) {
   look.quality = named<view::Quality>(view::kQualityNames, "--quality", options.quality);
   look.trail = options.trail;
   look.caption = options.caption;
+  look.celsius = options.celsius;
   look.transparent = options.transparent;
   look.dpi = options.dpi;
   look.shader_dir = options.shader_dir;

@@ -17,7 +17,7 @@ struct LookOptions {
   std::string quality = std::string(view::name_of(pictures::Look{}.quality));
   std::string overlay;
   double trail = pictures::Look{}.trail;
-  bool caption = false, transparent = false;
+  bool caption = false, celsius = false, transparent = false;
   int dpi = 0;
   std::string shader_dir;
   int supersample = 0;
@@ -29,10 +29,13 @@ struct LookOptions {
 /// field's range.
 void add_look(CLI::App& verb, LookOptions& options, bool automatic);
 
-/// Declares what is drawn over the litter: --overlay, --trail, --caption.
+/// Declares what is drawn over the litter: --overlay, --caption.
 void add_overlays(CLI::App& verb, LookOptions& options);
 
-/// Declares the same, and what only pictures have.
+/// Declares --trail.
+void add_trail(CLI::App& verb, LookOptions& options);
+
+/// Declares --overlay, --caption and what only pictures have.
 void add_picture_look(CLI::App& verb, LookOptions& options);
 
 /// Takes what was not typed from the entries of a picture.

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -15,11 +16,11 @@
 
 #include "app/cli/launcher.h"
 #include "app/cli/manual.h"
+#include "app/cli/refusals.h"
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
-#include "app/io/nearest.h"
 #include "app/io/provenance.h"
 #include "app/io/text.h"
 #include "pupflow/parameters.h"
@@ -39,82 +40,6 @@ void add_verbs(CLI::App& program, std::vector<Verb>& verbs) {
       add_doctor(program),  add_version(program), add_help(program, verbs)};
 }
 
-void refuse_unknown_verb(const std::vector<Verb>& verbs, int argc, char** argv) {
-  std::vector<std::string> names;
-  for (const Verb& verb : verbs) names.push_back(verb.app->get_name());
-  const std::string listed = io::joined(names, ", ");
-  if (argc < 2) {
-    io::refuse("no verb given: " + listed + "; see 'pupflow --help'");
-  }
-  const std::string given = argv[1];
-  if (given.starts_with('-')) return;
-  const std::vector<std::string_view> views(names.begin(), names.end());
-  if (std::find(names.begin(), names.end(), given) != names.end()) return;
-  const std::string meant = io::did_you_mean(given, views);
-  io::refuse("unknown verb " + io::quoted(given) + (meant.empty() ? "; verbs: " + listed : meant));
-}
-
-/// The parameter that an unknown option such as --ta names; empty where it names none.
-std::string setting_for(const std::string& option) {
-  std::string name = option.substr(std::min(option.find_first_not_of('-'), option.size()));
-  std::replace(name.begin(), name.end(), '-', '_');
-  return find_parameter(name) != nullptr ? name : std::string();
-}
-
-/// What stood after an unknown option, which CLI11 may have taken for an argument of the verb.
-std::string value_beside(const CLI::App& app, const std::vector<std::string>& extras) {
-  if (extras.size() > 1) return extras[1];
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_positional() && option->count() > 0) return option->results().front();
-  }
-  return "...";
-}
-
-/// What CLI11 did not know what to do with.
-void refuse_extras(const CLI::App& app, const std::string& command) {
-  const std::vector<std::string> extras = app.remaining();
-  if (extras.empty()) return;
-  const std::string& first = extras.front();
-  const std::string hint = "see '" + command + " --help'";
-  if (!first.starts_with('-')) {
-    io::refuse("unexpected argument " + io::quoted(first) + "; " + hint);
-  }
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  const std::vector<std::string_view> views(names.begin(), names.end());
-  const std::size_t equals = first.find('=');
-  const std::string name = first.substr(0, equals);
-  if (const std::string setting = setting_for(name); !setting.empty()) {
-    const std::string value =
-        equals != std::string::npos ? first.substr(equals + 1) : value_beside(app, extras);
-    io::refuse("unknown option " + io::quoted(name) + "; parameters are set with --set " + setting +
-               "=" + value);
-  }
-  const std::string meant = io::did_you_mean(name, views);
-  io::refuse("unknown option " + io::quoted(first) + (meant.empty() ? "; " + hint : meant));
-}
-
-/// CLI11's message in this program's words: the option, and what is wrong with it.
-Failure bad_command_line(const CLI::ParseError& error, const std::string& command) {
-  const std::string text = error.what();
-  std::string message = text.substr(0, text.find('\n'));
-  const auto say_instead = [&](const char* of_library, const char* own) {
-    const std::size_t at = message.find(of_library);
-    if (at != std::string::npos) message = message.substr(0, at) + own;
-  };
-  say_instead(": 1 required", " needs a value");
-  say_instead(": At Most 1 required", " is given twice");
-  say_instead(": At most 1 required", " is given twice");
-  say_instead(" is required", " must be given");
-  say_instead(": At least 2 required", " must be given twice");
-  if (const std::size_t at = message.find(" was given a disallowed"); at != std::string::npos) {
-    message = "--" + message.substr(0, at) + " takes no value";
-  }
-  return {ExitCode::bad_input, message + "; see '" + command + " --help'"};
-}
-
 /// The page of the verb on the command line, or that of the program.
 Page page_asked_for(const CLI::App& program, const std::vector<Verb>& verbs) {
   const auto chosen =
@@ -126,10 +51,11 @@ void parse_and_work(int argc, char** argv) {
   CLI::App program("Self-organising huddles of soft, warm bodies (Wilson 2017).", "pupflow");
   program.set_version_flag("-V,--version", io::program_version(), "Print the version and exit");
   program.set_help_flag("-h,--help", "Print this help and exit");
-  program.footer("'pupflow VERB --help' tells what each verb takes.");
   std::vector<Verb> verbs;
   add_verbs(program, verbs);
-  refuse_unknown_verb(verbs, argc, argv);
+  program.footer("'pupflow VERB --help' tells what each verb takes.");  // verbs would inherit it
+  const std::span<const char* const> words(argv + 1, argv + std::max(argc, 1));
+  refuse_unknown_verb(verbs, words);
   program.allow_extras();
   program.require_subcommand(0, 1);  // what follows a verb is no verb: 'help run'
   for (const Verb& verb : verbs) {
@@ -149,12 +75,14 @@ void parse_and_work(int argc, char** argv) {
     return;
   } catch (const CLI::ParseError& error) {
     const auto chosen = program.get_subcommands();
-    const std::string command = chosen.empty() ? "pupflow" : "pupflow " + chosen[0]->get_name();
-    throw bad_command_line(error, command);
+    if (chosen.empty()) throw bad_command_line(error, program, "pupflow", words);
+    throw bad_command_line(error, *chosen[0], "pupflow " + chosen[0]->get_name(), words);
   }
   for (const Verb& verb : verbs) {
     if (!verb.app->parsed()) continue;
-    refuse_extras(*verb.app, "pupflow " + verb.app->get_name());
+    const std::string command = "pupflow " + verb.app->get_name();
+    refuse_taken_options(*verb.app, command);
+    refuse_extras(*verb.app, command);
     verb.work();
     return;
   }

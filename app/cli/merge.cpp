@@ -1,6 +1,7 @@
 // pupflow merge: joins the shards of a sweep.
 #include <memory>
 
+#include "app/cli/summary.h"
 #include "app/cli/sweep_work.h"
 #include "app/study/folder.h"
 #include "app/study/merge.h"
@@ -11,14 +12,15 @@ namespace {
 struct MergeOptions {
   std::vector<std::string> folders;
   std::string out, plot_script;
-  bool force = false, quiet = false;
+  bool force = false, quiet = false, celsius = false;
 };
 
 void merge(const MergeOptions& options) {
   check_plot_script(options.plot_script);
   const study::SweepResult result =
       study::merge_shards(options.folders, options.out, options.force, options.plot_script);
-  report_sweep(study::design_of_folder(options.out), result, options.out, options.quiet);
+  report_sweep(study::design_of_folder(options.out), result, options.out,
+               {options.quiet, options.celsius});
 }
 
 }  // namespace
@@ -36,10 +38,15 @@ Verb add_merge(CLI::App& program) {
       ->required()
       ->check(not_empty);
   add_plot_script(*app, options->plot_script);
+  add_celsius(*app, options->celsius);
   app->add_flag("--force", options->force, "Replace another sweep there");
   app->add_flag("-q,--quiet", options->quiet, "No summary at the end");
   return {app,
-          [options] { merge(*options); },
+          [options, app] {
+            refuse_idle(*app, "--celsius", !options->quiet,
+                        "the summary, which --quiet leaves out");
+            merge(*options);
+          },
           {{"merge shard-1 shard-2 --out whole", "Two shards of one sweep, joined"},
            {"merge shards/* --out whole --force",
             "All shards of a folder, in place of an earlier result"}}};

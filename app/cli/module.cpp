@@ -1,13 +1,22 @@
 #include "app/cli/module.h"
 
-#include <filesystem>
+#include <sys/auxv.h>
 
 namespace pupflow::cli {
 
 namespace fs = std::filesystem;
 
+fs::path program_folder() {
+  std::error_code failed;
+  fs::path program = fs::read_symlink("/proc/self/exe", failed);
+  if (failed) {  // no /proc here: the path that the program was started by
+    program = fs::canonical(reinterpret_cast<const char*>(::getauxval(AT_EXECFN)));
+  }
+  return program.parent_path();
+}
+
 std::vector<std::string> module_candidates(const std::string& file) {
-  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path folder = program_folder();
   return {(folder / file).string(),
           (folder / PUPFLOW_MODULE_FOLDER / file).lexically_normal().string()};
 }

@@ -146,9 +146,9 @@ Verb add_params(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CommonHelp help;
   help.settings = "adds a column with the values that it comes to";
-  help.threads = "Accepted everywhere; does nothing here";
+  help.threads = "No effect here; every verb takes it";
   help.out = "Write the list to a file instead of standard output";
-  help.quiet = "Accepted everywhere; the list is all that is printed";
+  help.quiet = "No effect here; the list is all that is printed";
   add_common(*app, options->common, help);
   add_format(*app, options->format);
   return {app,

@@ -13,6 +13,7 @@
 #include "app/cli/start.h"
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
+#include "app/io/celsius.h"
 #include "app/io/failure.h"
 #include "app/io/frame_path.h"
 #include "app/io/movie.h"
@@ -29,6 +30,7 @@ constexpr std::int64_t kMostFrames = 1'000'000;
 constexpr double kFurthestTarget = 1e6;
 constexpr int kUsualFps = 25;
 constexpr const char* kUsualSheet = "grid.png";
+constexpr const char* kOfCelsius = "a temperature: colors of one with their legend, or --caption";
 
 struct Options {
   Common common;
@@ -52,6 +54,7 @@ std::string take_frames(std::vector<std::string>& at) {
   std::string frames;
   std::erase_if(at, [&](const std::string& text) {
     if (text.find('=') != std::string::npos) return false;
+    if (text.empty()) parse_steps("--at", text);  // refuses it
     frames += (frames.empty() ? "" : ",") + text;
     return true;
   });
@@ -66,12 +69,24 @@ std::int64_t frame_distance(const Options& options, const Params& params) {
   return static_cast<std::int64_t>(std::clamp(std::round(steps), 1.0, 1e15));
 }
 
+/// Whether the length of the run was typed.
+bool says_steps(const io::Settings& settings) {
+  return settings.steps || std::ranges::any_of(settings.sets, [](const std::string& set) {
+           return set.starts_with("steps=");
+         });
+}
+
 /// The steps after which a frame is wanted, of a run that begins after step `begin`.
 std::vector<std::int64_t> frame_steps(const Options& options, const std::string& at,
                                       const Params& params, std::int64_t begin) {
   if (!at.empty()) {
     if (options.every != 0) io::refuse("--at STEPS and --every both say which frames; use one");
-    return parse_steps("--at", at);
+    const std::vector<std::int64_t> steps = parse_steps("--at", at);
+    if (says_steps(options.common.settings) && steps.back() > params.steps) {
+      io::refuse("--at " + at + ": the run ends after step " + std::to_string(params.steps) +
+                 "; leave out --steps, or give at least " + std::to_string(steps.back()));
+    }
+    return steps;
   }
   const std::int64_t every = frame_distance(options, params);
   if (every == 0) return {params.steps};
@@ -161,7 +176,7 @@ void say_written(const pictures::RenderJob& job) {
 void take_output(const CLI::App& verb, const Options& options, pictures::RenderJob& job) {
   job.output = {options.common.out, options.common.force, options.common.quiet};
   if (options.movie.empty()) {
-    if (options.fps) io::refuse("--fps: is for films; use it with --movie FILE");
+    refuse_idle(verb, "--fps", false, "--movie FILE");
     check_picture_name("--out", job.output.path);
     return check_pattern(job.output.path, job.at.size());
   }
@@ -176,7 +191,8 @@ void take_output(const CLI::App& verb, const Options& options, pictures::RenderJ
 /// Draws the panels of --grid.
 void draw_sheet(const CLI::App& verb, const Options& options, const io::Settings& settings,
                 const std::string& frames) {
-  for (const char* option : {"--movie", "--fps", "--from", "--every", "--size", "--follow"}) {
+  for (const char* option :
+       {"--movie", "--fps", "--from", "--every", "--size", "--follow", "--trail"}) {
     if (verb.count(option) == 0) continue;
     io::refuse(std::string(option) + ": does not go with " +
                (verb.count("--grid") > 0 ? "--grid" : "the panels of --like"));
@@ -200,6 +216,12 @@ void draw_sheet(const CLI::App& verb, const Options& options, const io::Settings
   job.bar = !options.no_bar;
   job.threads = thread_count(options.common);
   job.look = look_of(options.look);
+  const bool titled = std::ranges::any_of(job.axes, [](const pictures::Axis& axis) {
+    return io::is_temperature(*find_parameter(axis.parameter));
+  });
+  refuse_idle(verb, "--celsius",
+              titled || job.look.caption || (job.bar && job.look.scale.is_temperature()),
+              kOfCelsius);
   job.output = {verb.count("--out") > 0 ? options.common.out : kUsualSheet, options.common.force,
                 options.common.quiet};
   check_picture_name("--out", job.output.path);
@@ -217,7 +239,7 @@ void work(const CLI::App& verb, Options options) {
   std::string frames = take_frames(settings.at);
   take_picture(verb, options, frames);
   if (!options.grid.empty()) return draw_sheet(verb, options, settings, frames);
-  if (verb.count("--panel") > 0) io::refuse("--panel: is for sheets; use it with --grid");
+  refuse_idle(verb, "--panel", false, "--grid RANGE");
   pictures::RenderJob job;
   const Start start = start_of(settings, options.from);
   job.params = start.recipe;
@@ -229,6 +251,10 @@ void work(const CLI::App& verb, Options options) {
   job.threads = thread_count(options.common);
   job.bar = !options.no_bar;
   job.look = look_of(options.look);
+  refuse_idle(verb, "--trail", job.look.overlays.has("trails"), "--overlay trails");
+  refuse_idle(verb, "--celsius", job.look.caption || (job.bar && job.look.scale.is_temperature()),
+              kOfCelsius);
+  refuse_idle(verb, "--dpi", options.movie.empty(), "a picture; a film names no dots per inch");
   take_output(verb, options, job);
   load_graphics().render(job);
   say_written(job);
@@ -249,20 +275,21 @@ Verb add_render(CLI::App& program) {
   help.at = "draw a frame after each of these steps, e.g. 500,1500 (0 is the start)";
   help.quiet = "No progress";
   add_common(*app, options->common, help);
-  app->add_option("--every", options->every,
-                  "A frame after steps N, 2N, ... up to --steps. With neither: the last step; in a "
-                  "film as many as make a second of it a second of the model")
+  app->add_option(
+         "--every", options->every,
+         "A frame after steps N, 2N, ... up to --steps. Without it and --at STEPS a picture "
+         "shows the last step, and a second of a film is a second of the model")
       ->option_text("N")
-      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, kUnbounded));
   add_from(*app, options->from);
   app->add_option("--movie", options->movie,
                   "Write a film in place of pictures, " + io::movie_endings() +
-                      "; needs ffmpeg, and writes its frames to the folder FILE_frames without")
+                      "; needs ffmpeg, without which its frames go to the folder FILE_frames")
       ->option_text("FILE")
       ->check(not_empty);
   app->add_option("--fps", options->fps,
                   "Frames a second of the film, 1 to " + std::to_string(io::kMostFps) +
-                      ", of a GIF to 50 (default " + std::to_string(kUsualFps) + ")")
+                      "; a GIF has at most 50 (default " + std::to_string(kUsualFps) + ")")
       ->option_text("N")
       ->check(between(1, io::kMostFps));
   app->add_option(
@@ -302,6 +329,7 @@ Verb add_render(CLI::App& program) {
   app->add_flag("--no-bar", options->no_bar, "Leave out the legend of the colors");
   add_look(*app, options->look, true);
   add_picture_look(*app, options->look);
+  add_trail(*app, options->look);
   return {app,
           [options, app] { work(*app, *options); },
           {{"render cold --at 500,1500 --out 'cold-%05d.png'", "Pictures after steps 500 and 1500"},

@@ -152,9 +152,9 @@ Verb add_report(CLI::App& program) {
       ->option_text("N")
       ->check(between(std::int64_t{2}, std::int64_t{1000000}));
   app->footer(
-      "'report error SCENE' (or --set, --like) reports the error of that run, and how it changes\n"
-      "with half or twice the time: the same seeds with other time steps, points, precision, run\n"
-      "lengths and windows. Exit code 3: a run of the scene itself failed. A report has the times\n"
+      "'report error SCENE' (or --set, --like) reports the error of that run, and how it changes "
+      "with half or twice the time: the same seeds with other time steps, points, precision, run "
+      "lengths and windows. Exit code 3: a run of the scene itself failed. A report has the times "
       "of this machine, so close other programs while it is made.");
   return {app,
           [options] { work(*options); },

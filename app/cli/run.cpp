@@ -35,6 +35,7 @@ struct Options {
   std::string record_fields = "pup";
   bool overlap = false;
   bool json = false;
+  bool celsius = false;
 };
 
 /// The files that were asked for. They appear when the run ends, however it ends.
@@ -81,10 +82,17 @@ struct Files {
 };
 
 /// What is looked at before anything is opened.
-void check_outputs(const Options& options) {
-  if (options.checkpoint_every && options.checkpoint.empty()) {
-    io::refuse("--checkpoint-every needs --checkpoint FILE");
+void check_outputs(const CLI::App& verb, const Options& options) {
+  for (const char* option : {"--record-every", "--record-from", "--record-fields"}) {
+    refuse_idle(verb, option, !options.record.empty(), "--record FILE");
   }
+  refuse_idle(verb, "--checkpoint-every", !options.checkpoint.empty(), "--checkpoint FILE");
+  refuse_idle(verb, "--every", !options.common.out.empty() || !options.pups.empty(),
+              "--csv FILE or --pups FILE");
+  refuse_idle(verb, "--overlap", options.json || !options.common.quiet,
+              "the summary, which --quiet leaves out");
+  refuse_idle(verb, "--celsius", !options.json && !options.common.quiet,
+              "a summary for people; JSON has the model's units");
   const std::string paths[] = {options.common.out, options.pups, options.record,
                                options.checkpoint};
   refuse_same_file({{"--csv", paths[0]},
@@ -216,14 +224,17 @@ class Run {
   double seconds_ = 0;
 };
 
-void work(const Options& options) {
-  check_outputs(options);
+void work(const CLI::App& verb, const Options& options) {
+  check_outputs(verb, options);
   const Start start = start_of(options.common.settings, options.from);
   Run run(options, litter_of(start));
   run.go();
   if (run.summary()) {
-    const std::string text = (options.json ? run_json : run_summary)(
-        start.title, run.simulation(), {run.means(), run.overlap()}, run.seconds());
+    const Seen seen{run.means(), run.overlap()};
+    const std::string text =
+        options.json
+            ? run_json(start.title, run.simulation(), seen, run.seconds())
+            : run_summary(start.title, run.simulation(), seen, run.seconds(), options.celsius);
     const bool taken =
         io::is_standard_output(options.common.out) || io::is_standard_output(options.pups);
     if (taken) {
@@ -257,18 +268,18 @@ Verb add_run(CLI::App& program) {
       ->check(not_empty);
   app->add_option("--every", options->every, "Rows for steps N, 2N, ... only (default 1)")
       ->option_text("N")
-      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, kUnbounded));
   app->add_option("--record", options->record,
                   "Write the litter's fields at chosen steps to an HDF5 file")
       ->option_text("FILE")
       ->check(not_empty);
   app->add_option("--record-every", options->record_every, "A frame every N steps (default 10)")
       ->option_text("N")
-      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, kUnbounded));
   app->add_option("--record-from", options->record_from,
                   "Step of the first frame, 0 for the start (default: N of --record-every)")
       ->option_text("STEP")
-      ->check(between(std::int64_t{0}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{0}, kUnbounded));
   app->add_option("--record-fields", options->record_fields,
                   "What a frame holds: pup, afferent, point (groups), or names of 'pupflow fields' "
                   "(default pup)")
@@ -281,10 +292,11 @@ Verb add_run(CLI::App& program) {
   app->add_option("--checkpoint-every", options->checkpoint_every,
                   "Write it every N steps, too, each in place of the one before")
       ->option_text("N")
-      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
+      ->check(between(std::int64_t{1}, kUnbounded));
   add_from(*app, options->from);
   add_flow_lag(*app, options->common);
   add_json(*app, options->json);
+  add_celsius(*app, options->celsius);
   app->add_flag("--overlap", options->overlap,
                 "Tell in the summary how far bodies run into each other: means over every " +
                     std::to_string(kOverlapEvery) + "th of the steps of the other means");
@@ -295,7 +307,7 @@ Verb add_run(CLI::App& program) {
       "FILE.PROCESS.unfinished; after a kill 'pupflow info', 'export' and 'verify' read what a "
       "recording had.");
   return {app,
-          [options] { work(*options); },
+          [options, app] { work(*app, *options); },
           {{"run cold --csv cold.csv", "A shipped scene, a row of observables a step"},
            {"run --set ta=0.2 --seed 7 --steps 3000 --record run.h5",
             "A litter of your own, recorded"}}};

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/io/celsius.h"
 #include "app/io/json.h"
 #include "app/io/provenance.h"
 #include "app/io/table.h"
@@ -15,7 +16,7 @@ std::string value_of(const Params& params, std::string_view name) {
   return format_value(*find_parameter(name), params);
 }
 
-std::string means_text(const Simulation& simulation, const Seen& seen) {
+std::string means_text(const Simulation& simulation, const Seen& seen, bool celsius) {
   const RunMeans& means = seen.means;
   const Params& params = simulation.params();
   const long long discard = params.discard, done = simulation.steps_done();
@@ -27,15 +28,17 @@ std::string means_text(const Simulation& simulation, const Seen& seen) {
   }
   const long long first = done - means.count() + 1;  // after --from later than discard + 1
   std::vector<io::Row> rows;
-  const auto add = [&](const std::string& label, double value, std::string_view unit = "") {
-    rows.push_back({"  " + label,
-                    io::formatted("%.4g", value) + (unit.empty() ? "" : " ") + std::string(unit)});
+  const auto add = [&](const std::string& label, double value, const std::string& unit = "") {
+    rows.push_back({"  " + label, io::formatted("%.4g", value) + (unit.empty() ? "" : " ") + unit});
   };
   const Observables m = means.means();
   for (const ObservableField& field : observables()) {
     const bool lagged = field.observable == Observable::flow && params.flow_lag != 1;
+    const double value = m.*field.value;
     add(std::string(field.label) + (lagged ? ", lag " + std::to_string(params.flow_lag) : ""),
-        m.*field.value, field.unit);
+        value,
+        celsius && io::is_temperature(field) ? "(" + io::celsius_text(value) + ")"
+                                             : std::string(field.unit));
   }
   add(std::string(run_statistics()[kExposedSd].label), means.exposed_sd());
   const std::string title = io::formatted("means over steps %lld to %lld\n", first, done);
@@ -54,24 +57,32 @@ std::string means_text(const Simulation& simulation, const Seen& seen) {
 
 }  // namespace
 
-std::string litter_words(const Params& params) {
+void add_celsius(CLI::App& verb, bool& celsius) {
+  verb.add_flag("--celsius", celsius,
+                "Temperatures in the summary in degrees, too; 0.6 is 37 \u00b0C. Files keep the "
+                "model's units");
+}
+
+std::string litter_words(const Params& params, bool celsius) {
   return io::formatted("%d %s of %d points, T_a %s, seed %lld, %s precision, heading %s",
                        params.pups, params.pups == 1 ? "pup" : "pups", points_per_pup(params),
-                       io::number_text(params.ambient_temperature).c_str(),
+                       io::with_celsius(io::number_text(params.ambient_temperature),
+                                        params.ambient_temperature, celsius)
+                           .c_str(),
                        static_cast<long long>(params.seed), value_of(params, "precision").c_str(),
                        value_of(params, "heading").c_str());
 }
 
 std::string run_summary(const std::string& title, const Simulation& simulation, const Seen& seen,
-                        double seconds) {
+                        double seconds, bool celsius) {
   const long long done = simulation.steps_done();
   std::string text = title.empty() ? "" : title + "\n";
-  text += litter_words(simulation.params()) + "\n";
+  text += litter_words(simulation.params(), celsius) + "\n";
   text += io::formatted("%lld %s, %.6g s of model time, in %.3g s", done,
                         done == 1 ? "step" : "steps", simulation.time(), seconds);
   if (done > 0 && seconds > 0)
     text += io::formatted(": %.4g steps/s", static_cast<double>(done) / seconds);
-  text += "\n" + means_text(simulation, seen);
+  text += "\n" + means_text(simulation, seen, celsius);
   text += "status  " + (simulation.status().ok() ? "fine" : simulation.status().message()) + "\n";
   for (const Warning& warning : simulation.warnings())
     text += "warning " + warning.message() + "\n";

@@ -1,6 +1,7 @@
 // The summary at the end of `run`.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
@@ -10,8 +11,11 @@
 
 namespace pupflow::cli {
 
-/// A few words about the litter of `params`, e.g. for a first line.
-std::string litter_words(const Params& params);
+/// Declares --celsius, for verbs that print a summary.
+void add_celsius(CLI::App& verb, bool& celsius);
+
+/// A few words about the litter of `params`, e.g. for a first line; T_a also in degrees if `celsius`.
+std::string litter_words(const Params& params, bool celsius = false);
 
 /// Overlap is measured once in so many steps, since that takes as long as about ten steps.
 constexpr int kOverlapEvery = 10;
@@ -27,8 +31,8 @@ std::string run_json(const std::string& title, const Simulation& simulation, con
                      double seconds);
 
 /// The run's means (or why there are none), status, warnings, hash and speed. `seconds` is its wall
-/// time.
+/// time; with `celsius` temperatures are there in degrees, too.
 std::string run_summary(const std::string& title, const Simulation& simulation, const Seen& seen,
-                        double seconds);
+                        double seconds, bool celsius);
 
 }  // namespace pupflow::cli

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/launcher.h"
+#include "app/cli/summary.h"
 #include "app/cli/verb.h"
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
@@ -59,8 +60,8 @@ study::Design design_of(const SweepOptions& options, const std::string& name) {
 void add_plot_script(CLI::App& app, std::string& script) {
   app.add_option("--plot-script", script,
                  "Draw the figure with this gnuplot script: the one in the folder after you edited "
-                 "it,\n"
-                 "or another. It can do whatever a program can; no edited script is run unnamed")
+                 "it, or another. A script can do whatever a program can, so an edited one is run "
+                 "only where it is named here")
       ->option_text("FILE")
       ->check(not_empty);
 }
@@ -82,9 +83,9 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
   add_common(app, options.common, help);
   app.get_option("--out")->option_text("FOLDER");
   add_flow_lag(app, options.common);
-  app.add_option(
-         "--seeds", options.seeds,
-         "Runs at each point (default 10); more of them than the folder holds adds the new ones")
+  app.add_option("--seeds", options.seeds,
+                 "Runs at each point (default 10); with a larger N than before only the new ones "
+                 "are computed")
       ->option_text("N")
       ->check(between(std::int64_t{1}, std::int64_t{1000000}));
   app.add_option(
@@ -92,24 +93,23 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
          "Compute only every n-th run, from the i-th on; 'pupflow merge' joins all n shards")
       ->option_text("i/n")
       ->check(not_empty);
-  CLI::Option* record = app.add_flag(
+  app.add_flag(
       "--record", options.record,
       "Also keep the time series of each run, series/P-S.csv for point P and its seed number S");
   app.add_option("--every", options.every, "Rows of the series for steps N, 2N, ... (default 1)")
       ->option_text("N")
-      ->check(between(std::int64_t{1}, std::int64_t{1} << 53))
-      ->needs(record);
+      ->check(between(std::int64_t{1}, kUnbounded));
   add_plot_script(app, options.plot_script);
+  add_celsius(app, options.celsius);
   app.footer(
-      "Finished runs are kept. After Ctrl-C, a full disk or a crash, the same command computes "
-      "the\n"
-      "missing runs. A folder that holds another sweep, or in which another process is at work, "
-      "is\n"
-      "refused. Exit code 3: a run failed. Its\n"
-      "row has the status, and it is not in the means.");
+      "Finished runs are kept. After Ctrl-C, a full disk or a crash, the same command computes the "
+      "missing runs. A folder that holds another sweep, or in which another process is at work, is "
+      "refused. Exit code 3: a run failed. Its row has the status, and the means leave it out.");
 }
 
-void run_sweep_verb(const SweepOptions& options, const std::string& name) {
+void run_sweep_verb(const CLI::App& verb, const SweepOptions& options, const std::string& name) {
+  refuse_idle(verb, "--celsius", !options.common.quiet, "the summary, which --quiet leaves out");
+  refuse_idle(verb, "--every", options.record, "--record");
   mpi::RankInfo self = launched_rank();
   self.threads = threads_of_rank(options.common, self);
   std::unique_ptr<study::Executor> all_ranks;
@@ -127,11 +127,11 @@ void run_sweep_verb(const SweepOptions& options, const std::string& name) {
   job.force = options.common.force;
   job.quiet = options.common.quiet;
   job.plot_script = options.plot_script;
-  report_sweep(job.design, study::run_sweep(job), job.folder, job.quiet);
+  report_sweep(job.design, study::run_sweep(job), job.folder, {job.quiet, options.celsius});
 }
 
 void report_sweep(const study::Design& design, const study::SweepResult& result,
-                  const std::string& folder, bool quiet) {
+                  const std::string& folder, SummaryStyle style) {
   std::string text;
   if (result.resumed > 0) text += std::to_string(result.resumed) + " runs were there already\n";
   text += std::to_string(result.rows.size()) + " runs in " + study::runs_path(folder) + "\n";
@@ -141,12 +141,12 @@ void report_sweep(const study::Design& design, const study::SweepResult& result,
             study::summary_path(folder) + "\n";
     if (result.note.empty()) text += "figure in " + folder + "/" + design.name + ".png and .svg\n";
     const auto transition = study::find_transition(design, result.summaries);
-    if (transition) text += study::transition_text(design, *transition);
+    if (transition) text += study::transition_text(design, *transition, style.celsius);
   }
   if (!result.note.empty()) text += result.note + "\n";
   const std::string warnings = study::warnings_text(design, result.rows);
   if (!warnings.empty()) text += "warning: " + warnings + "\n";
-  if (!quiet) io::print(text);
+  if (!style.quiet) io::print(text);
   const std::string failures = study::failures_text(design, result.rows);
   if (!failures.empty()) throw io::Failure(io::ExitCode::bad_numbers, failures);
 }

@@ -20,6 +20,7 @@ struct SweepOptions {
   std::int64_t every = 1;
   std::string shard = "1/1";
   std::string plot_script;  // empty: the one in the folder
+  bool celsius = false;
 };
 
 /// Declares --plot-script.
@@ -34,11 +35,16 @@ void add_sweep_options(CLI::App& app, SweepOptions& options, const std::string& 
 /// Computes the missing runs of the sweep, on all ranks of the job, and reports on rank 0. `name`
 /// is the name of its picture and of its default folder. Throws io::Failure: bad_numbers if runs
 /// failed.
-void run_sweep_verb(const SweepOptions& options, const std::string& name);
+void run_sweep_verb(const CLI::App& verb, const SweepOptions& options, const std::string& name);
 
-/// Prints the summary of a finished sweep, unless `quiet`. Throws io::Failure(bad_numbers) if runs
-/// failed.
+/// How the summary of a sweep is printed.
+struct SummaryStyle {
+  bool quiet = false;    // not at all
+  bool celsius = false;  // T_a in degrees, too
+};
+
+/// Prints the summary of a finished sweep. Throws io::Failure(bad_numbers) if runs failed.
 void report_sweep(const study::Design& design, const study::SweepResult& result,
-                  const std::string& folder, bool quiet);
+                  const std::string& folder, SummaryStyle style);
 
 }  // namespace pupflow::cli

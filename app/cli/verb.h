@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -71,6 +72,9 @@ std::string not_empty(const std::string& text);
 /// A check for options that are one of some words.
 std::function<std::string(const std::string&)> one_of(const std::vector<std::string_view>& words);
 
+/// The largest count or step: that of the whole numbers that a double holds.
+constexpr std::int64_t kUnbounded = std::int64_t{1} << 53;
+
 /// A check for options that are a number: refuses all but `least` ... `most`; whole numbers where
 /// these are. An empty text and nan are no numbers.
 template <class Number>
@@ -80,12 +84,17 @@ auto between(Number least, Number most) {
     if (number && *number >= least && *number <= most) return "";
     const auto shown = [](Number limit) {
       if constexpr (std::is_floating_point_v<Number>) return io::number_text(limit);
-      return std::to_string(limit);
+      return limit == kUnbounded ? "2^53" : std::to_string(limit);
     };
     return io::quoted(text) + " must be a " + (std::is_integral_v<Number> ? "whole " : "") +
            "number from " + shown(least) + " to " + shown(most);
   };
 }
+
+/// Refuses an option that was typed and has no effect, since what it acts on was not asked for:
+/// "--trail: has no effect without --overlay trails". Throws Failure(bad_input).
+void refuse_idle(const CLI::App& verb, const std::string& option, bool acts,
+                 const std::string& without);
 
 /// Declares the common options.
 void add_common(CLI::App& verb, Common& common, const CommonHelp& help);

@@ -52,8 +52,9 @@ Verb add_verify(CLI::App& program) {
       ->check(not_empty);
   app->add_option("--row", options->row, "Of a sweep's runs only this row; 1 is the first")
       ->option_text("N")
-      ->check(between(std::int64_t{1}, std::int64_t{1} << 53));
-  app->add_option("--threads", options->threads, "Threads (default: all cores)")
+      ->check(between(std::int64_t{1}, kUnbounded));
+  app->add_option("--threads", options->threads,
+                  "Runs at a time, or threads that share a step (default: all cores)")
       ->option_text("N")
       ->check(between(1, 1024));
   app->add_flag("-q,--quiet", options->quiet, "Print nothing; the exit code tells");

@@ -24,18 +24,22 @@ namespace {
                         "OpenGL 3.3 driver (libgl1-mesa-dri)");
 }
 
-}  // namespace
-
-GlfwWindow::GlfwWindow(const WindowOptions& options) {
-  if (glfwInit() != GLFW_TRUE) fail("no window can be opened");
+void ask_for_opengl(bool visible) {
   glfwDefaultWindowHints();
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   for (const int bits : {GLFW_DEPTH_BITS, GLFW_STENCIL_BITS}) glfwWindowHint(bits, 0);
+  glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
+}
+
+}  // namespace
+
+GlfwWindow::GlfwWindow(const WindowOptions& options) {
+  if (glfwInit() != GLFW_TRUE) fail("no window can be opened");
+  ask_for_opengl(options.visible);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
   try {
     window_ =
         glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
@@ -68,6 +72,28 @@ double GlfwWindow::content_scale() const {
   float x = 1, y = 1;
   glfwGetWindowContentScale(window_, &x, &y);
   return std::max(x, y);
+}
+
+SharedContext::SharedContext(const GlfwWindow& window) {
+  ask_for_opengl(false);
+  window_ = glfwCreateWindow(1, 1, "", nullptr, window.handle());
+  if (window_ == nullptr) fail("no second context for the window can be made");
+}
+
+SharedContext::~SharedContext() {
+  glfwDestroyWindow(window_);
+}
+
+void SharedContext::make_current() {
+  glfwMakeContextCurrent(window_);
+}
+
+void SharedContext::release_current() {
+  glfwMakeContextCurrent(nullptr);
+}
+
+std::string SharedContext::name() const {
+  return "GLFW context";
 }
 
 ContextReport probe_window() {

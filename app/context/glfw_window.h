@@ -36,6 +36,22 @@ class GlfwWindow final : public Context {
   GLFWwindow* window_ = nullptr;
 };
 
+/// A second context of a window, which sees the textures of the first, for a thread of its own. Made
+/// and destroyed on the main thread, current on no other then.
+class SharedContext final : public Context {
+ public:
+  /// Throws Failure(no_context).
+  explicit SharedContext(const GlfwWindow& window);
+  ~SharedContext() override;
+
+  void make_current() override;
+  void release_current() override;
+  std::string name() const override;
+
+ private:
+  GLFWwindow* window_;  // never shown
+};
+
 /// Whether a window can be had: opens an invisible one and closes it.
 ContextReport probe_window();
 

@@ -9,12 +9,16 @@ namespace pupflow::exporting {
 namespace {
 
 constexpr std::array kFormats{
-    Format{"npy", "numpy: the field as an array; ImaGen: an image a frame (--out 'NAME-%05d.npy')",
-           write_npy},
-    Format{"timedarray", "Brian2: values (frame, channel), dt and start in an .npz",
+    Format{
+        "npy",
+        "the field as an array, for numpy; with --out 'NAME-%05d.npy' an image a frame, for ImaGen",
+        write_npy},
+    Format{"timedarray", "values (frame, channel), dt and start in an .npz file, for Brian2",
            write_timedarray},
-    Format{"gcal", "Wilson's GCAL program: patterns P and their dims in an HDF5 file", write_gcal},
-    Format{"vtk", "ParaView, OVITO: points with T_b, a .vtp a frame (--out 'NAME-%05d.vtp')",
+    Format{"gcal", "patterns P and their dims in an HDF5 file, for Wilson's GCAL program",
+           write_gcal},
+    Format{"vtk",
+           "points with T_b, a .vtp file a frame (--out 'NAME-%05d.vtp'), for ParaView and OVITO",
            write_vtk},
 };
 

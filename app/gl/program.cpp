@@ -11,6 +11,8 @@
   X("spheres.vert", spheres_vert)           \
   X("spheres.frag", spheres_frag)           \
   X("sphere_edges.frag", sphere_edges_frag) \
+  X("ellipsoids.vert", ellipsoids_vert)     \
+  X("ellipsoids.frag", ellipsoids_frag)     \
   X("skin.vert", skin_vert)                 \
   X("skin.frag", skin_frag)                 \
   X("plane.vert", plane_vert)               \

@@ -1,8 +1,12 @@
 #include "app/gl/renderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+
+#include "app/gl/uniforms.h"
 
 namespace pupflow::gl {
 
@@ -10,39 +14,51 @@ namespace {
 
 // Brightness at a sphere's outline. Its middle has exactly the color of its point.
 constexpr float kEdgeShade = 0.88f;
-constexpr GLint kWallSegments = 256, kPlaneSegments = 32;
-constexpr float kGridShade = 0.93f;                        // brightness of the lines
-constexpr std::size_t kKeptBytes = std::size_t{32} << 20;  // of a picture whose store stays
-constexpr int kMostLines = 80;                             // of a grid across the floor
-constexpr float kUsualRows = 960;                          // higher pictures have wider lines
-constexpr float kRimWidth = 1.4f;                          // pixels
+constexpr float kFootShade = 0.6f;  // of the rim's color in the line at the slab's foot
+constexpr float kUsualRows = 960;   // higher pictures have wider lines
 
-void set_color(const Program& program, const char* name, view::Rgb color) {
-  glUniform3f(program.uniform(name), static_cast<float>(color.r) / 255,
-              static_cast<float>(color.g) / 255, static_cast<float>(color.b) / 255);
-}
+/// Where the attributes of a vertex lie in the bound buffer, for the bound vertex array.
+struct Layout {
+  GLsizei stride;
+  GLuint divisor;  // 0: one a vertex; 1: one an instance
 
-void set_camera(const Program& program, const view::CameraMatrices& matrices) {
-  glUseProgram(program.name());
-  glUniformMatrix4fv(program.uniform("eye_from_world"), 1, GL_FALSE,
-                     matrices.eye_from_world.data());
-  glUniformMatrix4fv(program.uniform("clip_from_eye"), 1, GL_FALSE, matrices.clip_from_eye.data());
-  const Eigen::Matrix4f clip_from_world = matrices.clip_from_eye * matrices.eye_from_world;
-  glUniformMatrix4fv(program.uniform("clip_from_world"), 1, GL_FALSE, clip_from_world.data());
-  glUniform1i(program.uniform("perspective"), matrices.perspective ? 1 : 0);
-}
+  void floats(GLuint attribute, GLint count, std::size_t offset) const {
+    set(attribute, count, GL_FLOAT, offset);
+  }
+  void bytes(GLuint attribute, GLint count, std::size_t offset) const {  // as shares of 255
+    set(attribute, count, GL_UNSIGNED_BYTE, offset);
+  }
 
-/// How the bound vertex array finds view::Vertex in the bound buffer, one a vertex or an instance.
-void lay_out_vertices(GLuint divisor) {
-  constexpr GLsizei kStride = sizeof(view::Vertex);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, nullptr);
-  // OpenGL wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
-  const auto* colors = reinterpret_cast<const void*>(offsetof(view::Vertex, r));
-  glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, colors);
-  for (const GLuint attribute : {0u, 1u}) {
+ private:
+  void set(GLuint attribute, GLint count, GLenum type, std::size_t offset) const {
+    // OpenGL wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    glVertexAttribPointer(attribute, count, type, GL_TRUE, stride,
+                          reinterpret_cast<const void*>(offset));
     glEnableVertexAttribArray(attribute);
     glVertexAttribDivisor(attribute, divisor);
   }
+};
+
+/// How the bound vertex array finds view::Vertex in the bound buffer, one a vertex or an instance.
+void lay_out_vertices(GLuint divisor) {
+  const Layout layout{sizeof(view::Vertex), divisor};
+  layout.floats(0, 3, 0);
+  layout.bytes(1, 4, offsetof(view::Vertex, r));
+}
+
+/// The same of view::Ellipsoid.
+void lay_out_ellipsoids() {
+  using view::Ellipsoid;
+  const Layout layout{sizeof(Ellipsoid), 1};
+  layout.floats(0, 3, offsetof(Ellipsoid, centre));
+  layout.floats(1, 3, offsetof(Ellipsoid, shape));
+  layout.floats(2, 3, offsetof(Ellipsoid, shape) + 3 * sizeof(float));
+  layout.bytes(3, 4, offsetof(Ellipsoid, color));
+  layout.bytes(4, 3, offsetof(Ellipsoid, sky));
+  layout.bytes(5, 3, offsetof(Ellipsoid, sky) + 4);
+  layout.bytes(6, 3, offsetof(Ellipsoid, key));
+  layout.bytes(7, 3, offsetof(Ellipsoid, key) + 4);
+  layout.floats(8, 1, offsetof(Ellipsoid, radius));
 }
 
 /// A fresh store each time: the driver need not wait for the last frame's.
@@ -53,7 +69,50 @@ void fill(GLenum target, const Buffer& buffer, std::span<const Element> content)
                GL_STREAM_DRAW);
 }
 
+/// Parts of a picture of that size, each side at most `most`.
+template <class Do>
+void for_each_part(int width, int height, int most, Do work) {
+  for (int y = 0; y < height; y += most) {
+    for (int x = 0; x < width; x += most) {
+      work(Viewport{x, y, std::min(most, width - x), std::min(most, height - y)});
+    }
+  }
+}
+
+/// A share of `b` in `a`.
+view::Rgb mixed(view::Rgb a, view::Rgb b, float share) {
+  const auto mix = [&](std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t>(
+        std::lround((1 - share) * static_cast<float>(from) + share * static_cast<float>(to)));
+  };
+  return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
+}
+
 }  // namespace
+
+/// What is drawn part by part, so that memory does not grow with size and samples.
+struct Renderer::Frame {
+  view::CameraMatrices matrices;
+  bool from_below;
+  int width, height, supersample;
+  const Palette& palette;
+
+  /// Those in which a part of the picture fills the view.
+  view::CameraMatrices of(const Viewport& part) const {
+    view::CameraMatrices zoomed = matrices;
+    const auto zoom = [&](int row, int all, int from, int size) {
+      if (size == all) return;
+      const float factor = static_cast<float>(all) / static_cast<float>(size);
+      const float middle =
+          (2 * static_cast<float>(from) + static_cast<float>(size)) / static_cast<float>(all) - 1;
+      const Eigen::Matrix4f& whole = matrices.clip_from_eye;
+      zoomed.clip_from_eye.row(row) = factor * (whole.row(row) - middle * whole.row(3));
+    };
+    zoom(0, width, part.x, part.width);
+    zoom(1, height, part.y, part.height);
+    return zoomed;
+  }
+};
 
 Renderer::Mesh::Mesh() {
   glBindVertexArray(array.name());
@@ -71,14 +130,23 @@ void Renderer::Mesh::upload(const view::Triangles& triangles) {
   count = static_cast<GLsizei>(triangles.indices.size());
 }
 
+/// By parts: llvmpipe fails where one has some 2^25 corners, and between them another context draws.
 void Renderer::Mesh::draw() const {
+  constexpr GLsizei kPart = 3 << 15;
   glBindVertexArray(array.name());
-  glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr);
+  for (GLsizei first = 0; first < count; first += kPart) {
+    const auto offset = static_cast<std::uintptr_t>(first) * sizeof(std::uint32_t);
+    // OpenGL wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    glDrawElements(GL_TRIANGLES, std::min(kPart, count - first), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(offset));
+    if (first + kPart < count) glFlush();
+  }
 }
 
 Renderer::Renderer(const std::string& shader_dir)
     : spheres_program_(shader_dir, "spheres.vert", "spheres.frag"),
       sphere_edges_program_(shader_dir, "spheres.vert", "sphere_edges.frag"),
+      ellipsoids_program_(shader_dir, "ellipsoids.vert", "ellipsoids.frag"),
       skin_program_(shader_dir, "skin.vert", "skin.frag"),
       plane_program_(shader_dir, "plane.vert", "plane.frag"),
       wall_program_(shader_dir, "wall.vert", "wall.frag"),
@@ -87,11 +155,16 @@ Renderer::Renderer(const std::string& shader_dir)
   glBindVertexArray(spheres_array_.name());
   glBindBuffer(GL_ARRAY_BUFFER, spheres_buffer_.name());
   lay_out_vertices(1);
+  glBindVertexArray(ellipsoids_array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, ellipsoids_buffer_.name());
+  lay_out_ellipsoids();
 }
 
 void Renderer::upload(const view::DrawList& list) {
   fill(GL_ARRAY_BUFFER, spheres_buffer_, list.spheres());
+  fill(GL_ARRAY_BUFFER, ellipsoids_buffer_, list.ellipsoids());
   count_ = static_cast<GLsizei>(list.spheres().size());
+  ellipsoids_count_ = static_cast<GLsizei>(list.ellipsoids().size());
   skin_.upload(list.skin());
   outline_.upload(list.outline());
   soft_ = list.drawing().quality != view::Quality::fast;
@@ -117,68 +190,63 @@ void Renderer::upload(const view::DrawList& list) {
 
 void Renderer::draw(const view::Camera& camera, const Viewport& viewport, int supersample,
                     const Palette& palette) {
-  line_scale_ = static_cast<float>(supersample) *
-                std::max(1.0f, static_cast<float>(viewport.height) / kUsualRows);
-  const double aspect = static_cast<double>(viewport.width) / viewport.height;
-  const view::CameraMatrices matrices = camera.matrices(aspect, bounds_);
-  const bool from_below = matrices.perspective ? camera.eye().z() < 0 : camera.backward().z() < 0;
-  if (supersample == 1) {
-    draw_scene(matrices, from_below, viewport, palette);
-    return;
-  }
-  // Part by part, so that memory does not grow with the samples.
-  const int part = std::max(1, kLargestPart / supersample);
-  for (int y = 0; y < viewport.height; y += part) {
-    for (int x = 0; x < viewport.width; x += part) {
-      const Viewport inside{x, y, std::min(part, viewport.width - x),
-                            std::min(part, viewport.height - y)};
-      draw_part(matrices, from_below, viewport, inside, supersample, palette);
-    }
-  }
-}
-
-void Renderer::draw_part(const view::CameraMatrices& whole, bool from_below,
-                         const Viewport& viewport, const Viewport& inside, int supersample,
-                         const Palette& palette) {
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  // Clip coordinates in which the part fills the view.
-  view::CameraMatrices matrices = whole;
-  const auto zoom = [&](int row, int all, int from, int size) {
-    const float factor = static_cast<float>(all) / static_cast<float>(size);
-    const float middle =
-        (2 * static_cast<float>(from) + static_cast<float>(size)) / static_cast<float>(all) - 1;
-    matrices.clip_from_eye.row(row) =
-        factor * (whole.clip_from_eye.row(row) - middle * whole.clip_from_eye.row(3));
-  };
-  zoom(0, viewport.width, inside.x, inside.width);
-  zoom(1, viewport.height, inside.y, inside.height);
-  const Viewport samples{0, 0, supersample * inside.width, supersample * inside.height};
-  samples_.resize(samples.width, samples.height);
-  samples_.bind();
-  draw_scene(matrices, from_below, samples, palette);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
-
-  const int x = viewport.x + inside.x, y = viewport.y + inside.y;
-  glViewport(x, y, inside.width, inside.height);
-  glUseProgram(resolve_program_.name());
-  glUniform1i(resolve_program_.uniform("samples"), 0);
-  glUniform1i(resolve_program_.uniform("count"), supersample);
-  glUniform2i(resolve_program_.uniform("origin"), x, y);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, samples_.texture());
-  glBindVertexArray(empty_array_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  const Frame frame = frame_of(camera, viewport.width, viewport.height, supersample, palette);
+  draw_part(frame, {0, 0, viewport.width, viewport.height}, viewport.x, viewport.y);
 }
 
 io::Image Renderer::picture(const view::Camera& camera, int width, int height, int supersample,
                             const Palette& palette) {
-  picture_.resize(width, height);
-  picture_.bind();
-  draw(camera, {0, 0, width, height}, supersample, palette);
-  io::Image image = picture_.read();
-  if (image.rgba.size() > kKeptBytes) picture_ = Target();
+  const Frame frame = frame_of(camera, width, height, supersample, palette);
+  io::Image image(width, height);
+  for_each_part(width, height, kLargestPart, [&](const Viewport& part) {
+    picture_.resize(part.width, part.height);
+    picture_.bind();
+    draw_part(frame, part, 0, 0);
+    picture_.read(image, part.x, height - part.y - part.height);
+  });
   return image;
+}
+
+Renderer::Frame Renderer::frame_of(const view::Camera& camera, int width, int height,
+                                   int supersample, const Palette& palette) {
+  line_scale_ =
+      static_cast<float>(supersample) * std::max(1.0f, static_cast<float>(height) / kUsualRows);
+  const view::CameraMatrices matrices =
+      camera.matrices(static_cast<double>(width) / height, bounds_);
+  const bool from_below = matrices.perspective ? camera.eye().z() < 0 : camera.backward().z() < 0;
+  return {matrices, from_below, width, height, supersample, palette};
+}
+
+void Renderer::draw_part(const Frame& frame, const Viewport& part, int x, int y) {
+  const int samples = frame.supersample;
+  if (samples == 1) {
+    draw_scene(frame.of(part), frame.from_below, {x, y, part.width, part.height}, frame.palette);
+    return;
+  }
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  for_each_part(
+      part.width, part.height, std::max(1, kLargestPart / samples), [&](const Viewport& inner) {
+        const Viewport inside{part.x + inner.x, part.y + inner.y, inner.width, inner.height};
+        const Viewport store{0, 0, samples * inner.width, samples * inner.height};
+        samples_.resize(store.width, store.height);
+        samples_.bind();
+        draw_scene(frame.of(inside), frame.from_below, store, frame.palette);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
+        resolve({x + inner.x, y + inner.y, inner.width, inner.height}, samples);
+      });
+}
+
+void Renderer::resolve(const Viewport& viewport, int samples) {
+  glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
+  glUseProgram(resolve_program_.name());
+  glUniform1i(resolve_program_.uniform("samples"), 0);
+  glUniform1i(resolve_program_.uniform("count"), samples);
+  glUniform2i(resolve_program_.uniform("origin"), viewport.x, viewport.y);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, samples_.texture());
+  glBindVertexArray(empty_array_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void Renderer::draw_scene(const view::CameraMatrices& matrices, bool from_below,
@@ -209,71 +277,23 @@ void Renderer::draw_scene(const view::CameraMatrices& matrices, bool from_below,
   skin_.draw();
   glDisable(GL_CULL_FACE);
   draw_spheres(matrices, viewport.height);
+  if (!soft_) draw_ellipsoids(matrices, viewport.height);
   draw_wall(matrices, outside, -view::kSlabDepth * arena_radius_, 0, palette.slab, false);
 
   // Then what covers pixels in part.
   glEnable(GL_BLEND);
   draw_floor(matrices, from_below, palette);
+  if (soft_) draw_ellipsoids(matrices, viewport.height);  // furthest first
   glDepthMask(GL_FALSE);
   draw_soft_edges(matrices);
   draw_wall(matrices, arena_radius_, 0, wall_height_, palette.glass, true);
   const float bottom = -view::kSlabDepth * arena_radius_;
-  draw_rim(matrices, viewport, outside, bottom, 0.6f, palette.rim);
+  draw_rim(matrices, viewport, outside, bottom, 1, mixed(palette.slab, palette.rim, kFootShade));
   draw_rim(matrices, viewport, arena_radius_, 0, 0.5f, palette.rim);
   draw_rim(matrices, viewport, arena_radius_, wall_height_, 1, palette.rim);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
-}
-
-void Renderer::draw_floor(const view::CameraMatrices& matrices, bool from_below,
-                          const Palette& palette) {
-  const float outside = (1 + view::kRimWidth) * arena_radius_;
-  set_camera(plane_program_, matrices);
-  set_color(plane_program_, "floor_color", from_below ? palette.slab : palette.floor);
-  set_color(plane_program_, "slab_color", palette.slab);
-  const bool grid = !from_below && 2 * arena_radius_ < kMostLines * kGridSpacing;
-  glUniform1f(plane_program_.uniform("height"), from_below ? -view::kSlabDepth * arena_radius_ : 0);
-  glUniform1f(plane_program_.uniform("floor_radius"), arena_radius_);
-  glUniform1f(plane_program_.uniform("outer_radius"), outside);
-  glUniform1f(plane_program_.uniform("spacing"), grid ? kGridSpacing : 0);
-  glUniform1f(plane_program_.uniform("line_width"), line_scale_);
-  glUniform1f(plane_program_.uniform("grid_shade"), kGridShade);
-  glUniform1i(plane_program_.uniform("lit"), lit_ && !from_below ? 1 : 0);
-  glUniform1i(plane_program_.uniform("light"), 0);
-  glUniform1i(plane_program_.uniform("segments"), kPlaneSegments);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, light_.name());
-  glBindVertexArray(empty_array_.name());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kPlaneSegments + 1));
-}
-
-void Renderer::draw_wall(const view::CameraMatrices& matrices, float radius, float bottom,
-                         float top, view::Rgb color, bool glass) {
-  set_camera(wall_program_, matrices);
-  set_color(wall_program_, "color", color);
-  glUniform1i(wall_program_.uniform("glass"), glass ? 1 : 0);
-  glUniform1f(wall_program_.uniform("radius"), radius);
-  glUniform1f(wall_program_.uniform("bottom"), bottom);
-  glUniform1f(wall_program_.uniform("top"), top);
-  glUniform1i(wall_program_.uniform("segments"), kWallSegments);
-  glBindVertexArray(empty_array_.name());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kWallSegments + 1));
-}
-
-void Renderer::draw_rim(const view::CameraMatrices& matrices, const Viewport& viewport,
-                        float radius, float height, float opacity, view::Rgb color) {
-  set_camera(rim_program_, matrices);
-  set_color(rim_program_, "color", color);
-  glUniform1f(rim_program_.uniform("radius"), radius);
-  glUniform1f(rim_program_.uniform("height"), height);
-  glUniform1f(rim_program_.uniform("opacity"), opacity);
-  glUniform1f(rim_program_.uniform("half_width"), kRimWidth / 2 * line_scale_ + 0.5f);
-  glUniform2f(rim_program_.uniform("half_viewport"), static_cast<float>(viewport.width) / 2,
-              static_cast<float>(viewport.height) / 2);
-  glUniform1i(rim_program_.uniform("segments"), kWallSegments);
-  glBindVertexArray(empty_array_.name());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kWallSegments + 1));
 }
 
 void Renderer::draw_spheres(const view::CameraMatrices& matrices, int rows) {
@@ -289,6 +309,23 @@ void Renderer::draw_spheres(const view::CameraMatrices& matrices, int rows) {
   }
   glBindVertexArray(spheres_array_.name());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
+}
+
+void Renderer::draw_ellipsoids(const view::CameraMatrices& matrices, int rows) {
+  if (ellipsoids_count_ == 0) return;
+  const Program& program = ellipsoids_program_;
+  set_camera(program, matrices);
+  glUniform1f(program.uniform("pixel"),
+              2 / (matrices.clip_from_eye(1, 1) * static_cast<float>(rows)));
+  glUniform1i(program.uniform("soft"), soft_ ? 1 : 0);
+  const view::LightModel& light = view::light_model();
+  const Eigen::Vector3f lamp = view::key_light();
+  glUniform3fv(program.uniform("lamp"), 1, lamp.data());
+  glUniform3f(program.uniform("strengths"), light.key, light.sky, light.floor);
+  glUniform3f(program.uniform("limits"), light.full, light.least, light.low_sky);
+  glUniform1f(program.uniform("gamma"), view::LightModel::kGamma);
+  glBindVertexArray(ellipsoids_array_.name());
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, ellipsoids_count_);
 }
 
 void Renderer::draw_soft_edges(const view::CameraMatrices& matrices) {

@@ -13,7 +13,7 @@
 
 namespace pupflow::gl {
 
-/// Edge of what is drawn at once where a pixel has many samples; samples.
+/// Edge of what is drawn at once into a picture, and of the samples that are drawn at once.
 constexpr int kLargestPart = 2048;
 
 /// Of the grid on the floor, arena units.
@@ -62,9 +62,13 @@ class Renderer {
 
   void draw_scene(const view::CameraMatrices& matrices, bool from_below, const Viewport& viewport,
                   const Palette& palette);
-  void draw_part(const view::CameraMatrices& whole, bool from_below, const Viewport& viewport,
-                 const Viewport& inside, int supersample, const Palette& palette);
+  struct Frame;
+  Frame frame_of(const view::Camera& camera, int width, int height, int supersample,
+                 const Palette& palette);
+  void draw_part(const Frame& frame, const Viewport& part, int x, int y);  // to x, y
+  void resolve(const Viewport& viewport, int samples);
   void draw_spheres(const view::CameraMatrices& matrices, int rows);
+  void draw_ellipsoids(const view::CameraMatrices& matrices, int rows);
   void draw_floor(const view::CameraMatrices& matrices, bool from_below, const Palette& palette);
   void draw_soft_edges(const view::CameraMatrices& matrices);
   void draw_wall(const view::CameraMatrices& matrices, float radius, float bottom, float top,
@@ -72,14 +76,15 @@ class Renderer {
   void draw_rim(const view::CameraMatrices& matrices, const Viewport& viewport, float radius,
                 float height, float opacity, view::Rgb color);
 
-  Program spheres_program_, sphere_edges_program_, skin_program_, plane_program_, wall_program_,
-      rim_program_, resolve_program_;
-  VertexArray spheres_array_, empty_array_;
-  Buffer spheres_buffer_;
+  Program spheres_program_, sphere_edges_program_, ellipsoids_program_, skin_program_,
+      plane_program_, wall_program_, rim_program_, resolve_program_;
+  VertexArray spheres_array_, ellipsoids_array_, empty_array_;
+  Buffer spheres_buffer_, ellipsoids_buffer_;
   Mesh skin_, outline_;
   Texture light_;
   Target samples_, picture_;
   GLsizei count_ = 0;  // of spheres
+  GLsizei ellipsoids_count_ = 0;
   bool lit_ = false, soft_ = false;
   float sphere_radius_ = 0, arena_radius_ = 0, wall_height_ = 0;
   float line_scale_ = 1;  // samples that a line of one pixel is wide

@@ -50,24 +50,38 @@ void Target::bind() const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
 }
 
-void Target::copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const {
+io::Image Target::read() const {
+  io::Image image(width_, height_);
+  read(image, 0, 0);
+  return image;
+}
+
+void Target::read(io::Image& image, int x, int y) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glPixelStorei(GL_PACK_ROW_LENGTH, image.width);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixel(x, y));
+  glPixelStorei(GL_PACK_ROW_LENGTH, 0);
+  // OpenGL's rows go from bottom to top.
+  const auto row = 4 * static_cast<std::size_t>(width_);
+  for (int i = 0; i < height_ / 2; ++i) {
+    std::uint8_t* upper = image.pixel(x, y + i);
+    std::swap_ranges(upper, upper + row, image.pixel(x, y + height_ - 1 - i));
+  }
+}
+
+void SharedPicture::show(GLuint texture, int width, int height) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  width_ = width;
+  height_ = height;
+}
+
+void SharedPicture::copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   glBlitFramebuffer(part.x, part.y, part.x + part.width, part.y + part.height, x, y, x + part.width,
                     y + part.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-}
-
-io::Image Target::read() const {
-  io::Image image(width_, height_);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  // OpenGL's rows go from bottom to top.
-  const auto row = 4 * static_cast<std::size_t>(width_);
-  for (int y = 0; y < height_ / 2; ++y) {
-    std::swap_ranges(image.pixel(0, y), image.pixel(0, y) + row, image.pixel(0, height_ - 1 - y));
-  }
-  return image;
 }
 
 }  // namespace pupflow::gl

@@ -28,17 +28,35 @@ class Target {
   /// Binds it for drawing.
   void bind() const;
 
-  /// Copies the colors of `part`, pixel by pixel, to (x, y) (lower left) of `framebuffer`, which stays
-  /// bound for drawing.
-  void copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const;
-
   /// Its colors as a picture.
   io::Image read() const;
+
+  /// The same into a larger picture, the upper left corner to (x, y).
+  void read(io::Image& image, int x, int y) const;
 
  private:
   Framebuffer framebuffer_;
   Texture color_;
   Renderbuffer depth_;
+  int width_ = 0, height_ = 0;
+};
+
+/// Reads a texture that another context draws, from one that shares its textures.
+class SharedPicture {
+ public:
+  /// From now on that of `texture`, drawn whole, `width` x `height` pixels.
+  void show(GLuint texture, int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  bool empty() const { return width_ == 0; }
+
+  /// Copies the colors of `part`, pixel by pixel, to (x, y) (lower left) of `framebuffer`, which stays
+  /// bound for drawing.
+  void copy_to(GLuint framebuffer, int x, int y, const Viewport& part) const;
+
+ private:
+  Framebuffer framebuffer_;
   int width_ = 0, height_ = 0;
 };
 

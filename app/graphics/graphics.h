@@ -38,7 +38,7 @@ inline Graphics& entered(const io::Module& module) {
   if (module.entry) return *reinterpret_cast<Entry>(module.entry)();
   throw io::Failure(io::ExitCode::no_context,
                     "no graphics: " + module.problem +
-                        " (Debian and Ubuntu: apt install libegl1 libgl1-mesa-dri libglew2.2 "
+                        " (Debian and Ubuntu: apt install libegl1 libgl1-mesa-dri libglew-dev "
                         "libglfw3)");
 }
 

@@ -2,16 +2,20 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <new>
 #include <sstream>
 
 #include "app/io/atomic_file.h"
+#include "app/io/celsius.h"
 #include "app/io/child.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/machine.h"
 #include "app/io/read_file.h"
+#include "app/io/text.h"
 
 extern char** environ;
 
@@ -141,6 +145,23 @@ std::string no_gnuplot_text(const Drawing& drawing) {
   return "no plot: gnuplot is not installed; install it (Debian: gnuplot-nox) and run this command "
          "again, or 'gnuplot " +
          drawing.name + ".gp' in " + drawing.folder;
+}
+
+std::string celsius_axis(const std::string& axis, double low, double high) {
+  // Left to itself, gnuplot takes the step from the other axis, as it stands there.
+  const double most = std::max(celsius(high - low), 1e-6) / 4;
+  const double power = std::pow(10, std::floor(std::log10(most)));
+  const double step = most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
+  const std::string second = axis + "2";
+  return "  set link " + second + " via " + axis + "*37/0.6 inverse " + axis + "*0.6/37\n  set " +
+         second + "tics " + number_text(step) +
+         " nomirror out format '%g \u00b0C' font ',9' textcolor '#777777'\n";
+}
+
+std::string no_celsius_axis(const std::string& axis) {
+  const std::string second = axis + "2";
+  return "  unset link " + second + "\n  unset " + second + "tics\n  set format " + second +
+         "\n  set " + second + "tics autofreq font ''\n  unset " + second + "tics\n";
 }
 
 const char* const kViridisPalette =

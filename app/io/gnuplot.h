@@ -35,6 +35,12 @@ Drawn draw(const Drawing& drawing);
 /// The message where gnuplot is not installed: what to install, and how to draw then.
 std::string no_gnuplot_text(const Drawing& drawing);
 
+/// Gnuplot commands, a line each and indented by two spaces, for a second axis in °C across from
+/// `axis`, "x" or "y", which shows temperatures from about `low` to `high`; and those that take it
+/// away again. Titles need room above the second axis of x.
+std::string celsius_axis(const std::string& axis, double low, double high);
+std::string no_celsius_axis(const std::string& axis);
+
 /// A gnuplot command, one line: the color map viridis (CC0, van der Walt & Smith) by nine stops.
 extern const char* const kViridisPalette;
 

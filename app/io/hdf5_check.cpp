@@ -83,7 +83,7 @@ herr_t look_at(hid_t file, const char* name, const H5L_info_t* link, void* data)
         link->type == H5L_TYPE_HARD ? problem_of_object(file, name) : "is a link to another place";
   }
   if (problem.empty()) return 0;
-  look.problem = quoted(name) + " " + problem;
+  look.problem = io::quoted(name) + " " + problem;
   return 1;
 }
 

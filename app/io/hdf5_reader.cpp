@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <optional>
 
@@ -176,6 +177,9 @@ void Hdf5Reader::open() {
 }
 
 void Hdf5Reader::look_around() {
+  // HDF5 may crash as it closes a damaged file, too.
+  const std::unique_ptr<Handle, void (*)(Handle*)> closed_at_the_end(
+      &file_, [](Handle* file) { *file = Handle(-1, H5Fclose); });
   open();
   static_cast<void>(text());
   for (const SetInfo& set : sets()) {

@@ -15,7 +15,7 @@ const LitterField& named_field(std::string_view name, const std::string& where) 
     for (const LitterField& field : table) names.push_back(field.name);
   }
   const std::string meant = did_you_mean(name, names);
-  refuse(where + ": unknown field " + quoted(name) +
+  refuse(where + ": unknown field " + io::quoted(name) +
          (meant.empty() ? "; must be one of " + joined(names, ", ") : meant));
 }
 

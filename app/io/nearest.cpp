@@ -61,7 +61,7 @@ std::string nearest(std::string_view name, std::span<const std::string_view> can
 
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates) {
   const std::string found = nearest(name, candidates);
-  return found.empty() ? std::string() : "; did you mean " + quoted(found) + "?";
+  return found.empty() ? std::string() : "; did you mean " + io::quoted(found) + "?";
 }
 
 }  // namespace pupflow::io

@@ -7,6 +7,7 @@
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/png.h"
+#include "app/io/png_memory.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
 
@@ -100,21 +101,24 @@ void append_text(png_structp png, png_infop info, TextEntries& entries) {
 }  // namespace
 
 Image read_png(const std::string& path) {
-  const std::string bytes = checked_bytes(path);
+  return read_png(checked_bytes(path), path);
+}
+
+Image read_png(std::string_view bytes, const std::string& name) {
   png_image png = {};
   png.version = PNG_IMAGE_VERSION;
   if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) {
-    throw no_png(path, png.message);
+    throw no_png(name, png.message);
   }
   png.format = PNG_FORMAT_RGBA;
   if (std::uint64_t{4} * png.width * png.height > kLargestPicture) {
     png_image_free(&png);
-    throw no_png(path, "it has " + std::to_string(png.width) + " x " + std::to_string(png.height) +
+    throw no_png(name, "it has " + std::to_string(png.width) + " x " + std::to_string(png.height) +
                            " pixels, more than memory is taken for");
   }
   Image image(static_cast<int>(png.width), static_cast<int>(png.height));
   if (!png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr)) {
-    throw no_png(path, png.message);
+    throw no_png(name, png.message);
   }
   return image;
 }

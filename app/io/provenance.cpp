@@ -38,7 +38,7 @@ void refuse_unknown_parameter(const TextEntries& entries, const std::string& whe
   for (const auto& [name, value] : entries) {
     if (is_one_of(kBehind, name)) return;
     if (name == kSchedule || is_one_of(kBetween, name) || find_parameter(name)) continue;
-    refuse(where + ": this version has no parameter " + quoted(name));
+    refuse(where + ": this version has no parameter " + io::quoted(name));
   }
 }
 

@@ -78,10 +78,10 @@ void RecordedRun::check_sizes() const {
     if (group != "pup") expected.push_back(points);
     if (group == "point") expected.push_back(3);
     if (set.shape != expected || !number_type(set.type)) {
-      damaged(quoted(set.name) + " has another size than its parameters say");
+      damaged(io::quoted(set.name) + " has another size than its parameters say");
     }
     if (file_->frames_there(set.name) < frames()) {
-      damaged(quoted(set.name) + " has not all of its frames");
+      damaged(io::quoted(set.name) + " has not all of its frames");
     }
   }
 }

@@ -40,7 +40,7 @@ void add_table(std::span<const LitterField> table, std::vector<const LitterField
     for (const LitterField& field : table) names.push_back(field.name);
   }
   const std::string meant = did_you_mean(name, names);
-  refuse("--record-fields: there is no field " + quoted(std::string(name)) +
+  refuse("--record-fields: there is no field " + io::quoted(std::string(name)) +
          (meant.empty() ? "; name pup, afferent, point or fields of 'pupflow fields'" : meant));
 }
 

@@ -11,6 +11,7 @@
 #include "app/io/schedule_text.h"
 #include "app/io/text.h"
 #include "app/io/toml_depth.h"
+#include "app/io/toml_problem.h"
 
 namespace pupflow::io {
 namespace {
@@ -93,12 +94,13 @@ std::string take_parameter(const Parameter& parameter, const toml::node& value, 
 
 std::string unknown_key(std::string_view key, const toml::node& value) {
   if (value.is_table()) {
-    return quoted(key) + " is a table, but a scene is a flat list of name = value";
+    return io::quoted(key) + " is a table, but a scene is a flat list of name = value";
   }
   std::vector<std::string_view> names{"title", "description", kAt};
   for (const Parameter& parameter : parameters()) names.push_back(parameter.name);
   const std::string meant = did_you_mean(key, names);
-  return "unknown key " + quoted(key) + (meant.empty() ? "; 'pupflow params' lists all" : meant);
+  return "unknown key " + io::quoted(key) +
+         (meant.empty() ? "; 'pupflow params' lists all" : meant);
 }
 
 /// Takes one key of the scene; returns what is wrong with it, or nothing.
@@ -193,7 +195,7 @@ Scene parse_scene(std::string_view text, const std::string& name,
       if (!wrong.empty()) problems.push_back(located(name, where) + wrong);
     }
   } catch (const toml::parse_error& error) {
-    problems.push_back(located(name, error.source()) + std::string(error.description()));
+    problems.push_back(located(name, error.source()) + toml_problem(error.description()));
   }
   return scene;
 }
@@ -215,8 +217,11 @@ Scene load_scene(const std::string& scene, std::vector<std::string>& problems) {
   }
   std::vector<std::string_view> names;
   for (const ShippedScene& s : shipped) names.push_back(s.name);
-  refuse("no scene " + io::quoted(scene) + did_you_mean(scene, names) + " (shipped: " +
-         joined(names, ", ") + "; a scene file is given as a path with '/' or ending in .toml)");
+  const std::string meant = did_you_mean(scene, names);
+  refuse("no scene " + io::quoted(scene) +
+         (meant.empty() ? "; shipped: " + joined(names, ", ") +
+                              "; a scene file is given as a path with '/' or ending in .toml"
+                        : meant));
 }
 
 }  // namespace pupflow::io

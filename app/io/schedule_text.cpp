@@ -32,7 +32,7 @@ std::string unknown(std::string_view name) {
     if (parameter.effect == Parameter::Effect::next_step) names.push_back(parameter.name);
   }
   const std::string meant = did_you_mean(name, names);
-  return "a change has no " + quoted(name) +
+  return "a change has no " + io::quoted(name) +
          (meant.empty() ? "; it has step, until, and parameters or pup, force, heat, turn" : meant);
 }
 
@@ -46,11 +46,11 @@ std::string take_number(std::string_view name, std::string_view text, Number& nu
   }
   const char* kind =
       std::is_integral_v<Number> ? " must be a whole number, not " : " must be a number, not ";
-  return std::string(name) + kind + quoted(text);
+  return std::string(name) + kind + io::quoted(text);
 }
 
 std::string take_force(std::string_view text, std::array<double, 3>& force) {
-  const std::string wrong = "force must be three numbers, e.g. [2,0,0], not " + quoted(text);
+  const std::string wrong = "force must be three numbers, e.g. [2,0,0], not " + io::quoted(text);
   if (!text.starts_with('[') || !text.ends_with(']')) return wrong;
   const std::vector<std::string_view> parts = split(text.substr(1, text.size() - 2), ',');
   if (parts.size() != 3) return wrong;
@@ -137,7 +137,7 @@ void add_change(std::string_view text, const std::string& where, Schedule& sched
                 std::vector<std::string>& problems) {
   const std::optional<TextEntries> entries = entries_of(text);
   if (!entries) {
-    problems.push_back(where + ": " + quoted(text) + " is no change, " + kExample);
+    problems.push_back(where + ": " + io::quoted(text) + " is no change, " + kExample);
     return;
   }
   std::vector<ChangeProblem> found;

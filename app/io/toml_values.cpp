@@ -6,6 +6,7 @@
 
 #include "app/io/failure.h"
 #include "app/io/toml_depth.h"
+#include "app/io/toml_problem.h"
 
 namespace pupflow::io {
 namespace {
@@ -41,7 +42,7 @@ std::map<std::string, TomlValue, std::less<>> toml_values(std::string_view text,
     }
   } catch (const toml::parse_error& error) {
     throw Failure(ExitCode::bad_file,
-                  place(name, error.source()) + ": " + std::string(error.description()));
+                  place(name, error.source()) + ": " + toml_problem(error.description()));
   }
   return values;
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/gl/renderer.h"
+#include "app/io/celsius.h"
 #include "app/io/text.h"
 #include "app/view/color_bar.h"
 
@@ -18,10 +19,12 @@ view::TextLine caption_of(const LitterView& litter, const Look& look) {
   const Params& params = litter.params;
   view::TextLine caption = view::symbol("T", "a");
   const std::string label(look.scale.field->label);
-  return caption + (" = " + view::tick_label(params.ambient_temperature) + ", " +
-                    io::formatted("%.2f", litter.time) + " s, seed " + std::to_string(params.seed) +
-                    ", " + std::to_string(litter.pups) + (litter.pups == 1 ? " pup, " : " pups, ") +
-                    "color: " + label);
+  return caption + (" = " +
+                    io::with_celsius(view::tick_label(params.ambient_temperature),
+                                     params.ambient_temperature, look.celsius) +
+                    ", " + io::formatted("%.2f", litter.time) + " s, seed " +
+                    std::to_string(params.seed) + ", " + std::to_string(litter.pups) +
+                    (litter.pups == 1 ? " pup, " : " pups, ") + "color: " + label);
 }
 
 }  // namespace

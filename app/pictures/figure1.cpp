@@ -15,6 +15,8 @@ void figure1(const Figure1Job& job) {
   sheet_job.camera = view::Camera::parse("top");
   sheet_job.threads = job.threads;
   sheet_job.look = job.look;
+  const view::Ends ends = job.look.scale.ends;
+  sheet_job.own_scales = ends == view::Ends::automatic || ends == view::Ends::around_tp;
   sheet_job.output = job.output;
   sheet_job.verb = "figure1";
   sheet_job.entries = {{"picture", "figure1"},

@@ -18,7 +18,8 @@ struct Figure1Job {
   Output output;
 };
 
-/// Runs one litter per temperature and writes the figure. All panels have one color scale. Throws
+/// Runs one litter per temperature and writes the figure. All panels have one color scale, unless
+/// their values decide its ends: then each has its own. Throws
 /// Failure: bad_input, bad_file (before anything is run when the output exists), bad_numbers,
 /// no_context, interrupted; nothing is written then.
 void figure1(const Figure1Job& job);

@@ -27,6 +27,7 @@ struct Look {
   view::OverlaySet overlays;
   double trail = 1;          // model seconds that trails are long
   bool caption = false;      // a line that says what is shown
+  bool celsius = false;      // temperatures in degrees, too
   bool transparent = false;  // no paper behind the scene
   int dpi = 0;               // dots per inch that files name; 0: none
   std::string shader_dir;    // read shaders from here instead of the embedded ones

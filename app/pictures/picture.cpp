@@ -51,7 +51,8 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
       height_(height),
       bar_(bar),
       look_(look),
-      style_{.text_size = std::clamp(std::min<double>(height, 0.75 * width) / 48, 9.0, 64.0)},
+      style_{.text_size = std::clamp(std::min<double>(height, 0.75 * width) / 48, 9.0, 64.0),
+             .celsius = look.celsius},
       margins_(view::color_bar_margins(look.scale, style_)),
       bar_width_(static_cast<int>(std::lround(1.3 * style_.text_size))),
       trails_(look.trail) {
@@ -72,6 +73,11 @@ void Picture::watch(const LitterView& litter) {
   if (look_.overlays.has("trails")) trails_.add(litter);
 }
 
+void Picture::set_scale(const view::ColorScale& scale) {
+  look_.scale = scale;
+  shown_.reset();
+}
+
 view::ColorScale Picture::scale_for(const LitterView& litter) {
   const std::vector<double> values = look_.scale.field->values(litter);
   view::ColorScale scale = look_.scale.fitted(values, litter.params.preferred_temperature);
@@ -84,7 +90,7 @@ view::ColorScale Picture::scale_for(const LitterView& litter) {
 }
 
 void Picture::refuse_large() const {
-  pictures::refuse_large(width_, height_, scene_width_, height_, look_.samples());
+  pictures::refuse_large(width_, height_);
 }
 
 io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
@@ -102,7 +108,7 @@ io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
 }
 
 void Picture::add_overlays(io::Image& scene, const LitterView& litter, const view::Camera& camera) {
-  marks_.clear();
+  marks_ = more_;
   watch(litter);
   look_.overlays.draw({litter, list_.scale(), centres_of(litter), trails_}, marks_);
   const view::Projection projection(camera, list_.bounds(), scene.width, scene.height,
@@ -146,16 +152,15 @@ void check_samples(int supersample) {
              std::to_string(supersample));
 }
 
-void refuse_large(int width, int height, int drawn_width, int drawn_height, int supersample) {
-  // A drawn pixel has color and depth, as has each sample of the part that is drawn at once; a pixel
+void refuse_large(int width, int height) {
+  // A part is drawn at a time, which has color and depth, as have its samples; a pixel of the whole
   // passes through copies on its way to the file.
-  constexpr double kOfDrawn = 8, kOfPixel = 32;
-  gl::Target::refuse_large(drawn_width, drawn_height);
-  const double samples = supersample > 1 ? gl::kLargestPart * double{gl::kLargestPart} : 0;
+  constexpr double kOfDrawn = 16, kOfPixel = 24;
+  const auto part = [](int side) { return std::min(side, gl::kLargestPart); };
+  gl::Target::refuse_large(part(width), part(height));
   io::refuse_large(
       "a picture of " + std::to_string(width) + "x" + std::to_string(height) + " pixels",
-      kOfDrawn * (samples + static_cast<double>(drawn_width) * drawn_height) +
-          kOfPixel * static_cast<double>(width) * height,
+      kOfDrawn * part(width) * part(height) + kOfPixel * static_cast<double>(width) * height,
       "fewer need less");
 }
 
@@ -173,6 +178,7 @@ io::TextEntries look_entries(const Look& look, const view::ColorScale& scale) {
     entries.emplace_back("trail", io::number_text(look.trail));
   }
   if (look.caption) entries.emplace_back("caption", "true");
+  if (look.celsius) entries.emplace_back("celsius", "true");
   if (look.transparent) entries.emplace_back("transparent", "true");
   if (look.dpi > 0) entries.emplace_back("dpi", std::to_string(look.dpi));
   return entries;

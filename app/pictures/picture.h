@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/context/context.h"
@@ -56,6 +57,15 @@ class Picture {
     if (trails.seconds() == look_.trail) trails_ = trails;
   }
 
+  /// Paints these marks, too, beneath the overlays' own, from the next picture on.
+  void mark(view::Marks marks) { more_ = std::move(marks); }
+
+  /// Has the next pictures show colors by that scale, of the look's field.
+  void set_scale(const view::ColorScale& scale);
+
+  /// Of the words in it, pixels.
+  double text_size() const { return style_.text_size; }
+
   /// The litter as `camera` sees it. In a sequence, automatic scales follow the data within half a
   /// second of the model. The renderer's context must be current. Throws Failure(bad_input) when
   /// the driver allows no picture of that size with the look's samples.
@@ -77,7 +87,7 @@ class Picture {
   int bar_width_ = 0, scene_width_ = 0;
   view::DrawList list_;
   view::TextPainter text_;
-  view::Marks marks_;
+  view::Marks marks_, more_;
   view::Trails trails_;
   std::optional<view::ColorScale> shown_;  // by the last picture
   double shown_at_ = 0;                    // model seconds
@@ -86,10 +96,9 @@ class Picture {
 /// Throws Failure(bad_input) unless 1 <= supersample <= kMostSamples.
 void check_samples(int supersample);
 
-/// Throws Failure(bad_input) when a picture of that size, of which a part of `drawn_width` x
-/// `drawn_height` pixels is drawn at a time, is more than OpenGL or the memory allows. An OpenGL
-/// context must be current.
-void refuse_large(int width, int height, int drawn_width, int drawn_height, int supersample);
+/// Throws Failure(bad_input) when a picture of that size is more than OpenGL or the memory allows. An
+/// OpenGL context must be current.
+void refuse_large(int width, int height);
 
 /// How files name what a picture with this look and this fitted scale shows.
 io::TextEntries look_entries(const Look& look, const view::ColorScale& scale);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "app/io/atomic_file.h"
+#include "app/io/celsius.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/progress.h"
@@ -13,6 +14,7 @@
 #include "app/io/text.h"
 #include "app/pictures/annotations.h"
 #include "app/pictures/picture.h"
+#include "app/pictures/sheet_layout.h"
 #include "app/view/canvas.h"
 #include "app/view/color_bar.h"
 #include "app/view/framing.h"
@@ -54,20 +56,16 @@ std::string axis_text(const Axis& axis) {
          });
 }
 
-std::size_t panel_count(const SheetJob& job) {
-  std::size_t count = 1;
-  for (const Axis& axis : job.axes) count *= axis.values.size();
-  return count;
-}
-
 /// What is written over a panel of one value of the axis.
-view::TextLine title_of(const Parameter& parameter, const Params& params) {
+view::TextLine title_of(const Parameter& parameter, const Params& params, bool celsius) {
   const bool real = parameter.kind == Parameter::Kind::real;
+  const double value = parameter.get(params);
   const view::TextLine name = parameter.symbol.empty()
                                   ? view::TextLine{{std::string(parameter.name)}}
                                   : view::symbol(parameter.symbol);
-  return name + (" = " + (real ? view::tick_label(parameter.get(params))
-                               : format_value(parameter, params)));
+  return name +
+         (" = " + io::with_celsius(real ? view::tick_label(value) : format_value(parameter, params),
+                                   value, celsius && io::is_temperature(parameter)));
 }
 
 /// The litters at their starts, the values of the first axis side by side.
@@ -88,7 +86,7 @@ std::vector<Panel> make_panels(const SheetJob& job) {
         title = title + ",  ";
       }
       name += std::string(parameter.name) + " = " + format_value(parameter, params);
-      title = title + title_of(parameter, params);
+      title = title + title_of(parameter, params, job.look.celsius);
     }
     panels.push_back(
         {observed_litter(params, job.look.parts() | caption_parts(job.look)), name, title});
@@ -123,65 +121,25 @@ void run_all(std::vector<Panel>& panels, const SheetJob& job) {
   });
 }
 
-/// Where everything goes, in pixels.
-struct Layout {
-  int panel, margin, title, columns, rows;
-  bool bar;
-  double text;
-  view::ColorBarStyle bar_style;
-  view::ColorBarMargins bar_margins;
-
-  /// One axis goes on in the next row, as evenly as it can; of two the second goes down.
-  explicit Layout(const SheetJob& job) : panel(job.panel), bar(job.bar) {
-    constexpr int kPanelsAcross = 4;
-    const int edge = panel, panels = static_cast<int>(panel_count(job));
-    if (job.axes.size() == 1) {
-      rows = (panels + kPanelsAcross - 1) / kPanelsAcross;
-      columns = (panels + rows - 1) / rows;
-    } else {
-      columns = static_cast<int>(job.axes.front().values.size());
-      rows = panels / columns;
-    }
-    text = std::max(9.0, edge / 18.0);
-    margin = static_cast<int>(std::lround(0.8 * text));
-    title = static_cast<int>(std::lround(1.7 * text));
-    bar_style.text_size = 0.72 * text;
-    bar_style.ink = kInk;
-    bar_margins = view::color_bar_margins(job.look.scale, bar_style);
-  }
-
-  int cell_width() const { return panel + margin; }
-  int cell_height() const { return title + panel + margin; }
-  view::Box panel_box(int i) const {
-    return {margin + i % columns * cell_width(), margin + i / columns * cell_height() + title,
-            panel, panel};
-  }
-  int bar_width() const { return static_cast<int>(std::lround(text)); }
-  view::Box bar_box() const {
-    const int inset = panel / 12;
-    return {margin + columns * cell_width() + bar_margins.left, margin + title + inset, bar_width(),
-            (rows - 1) * cell_height() + panel - 2 * inset};
-  }
-  int width() const {
-    if (!bar) return margin + columns * cell_width();
-    const view::Box box = bar_box();
-    return box.x + box.width + bar_margins.right + margin;
-  }
-  int height() const { return margin + rows * cell_height(); }
-};
-
-/// The look's scale, fitted to all litters.
-view::ColorScale common_scale(const Look& look, const std::vector<Panel>& panels) {
+/// The scale of each panel: the look's, fitted to its litter or to all.
+std::vector<view::ColorScale> scales_of(const SheetJob& job, const std::vector<Panel>& panels) {
+  const auto fitted = [&](std::span<const double> values, const Panel& panel) {
+    return job.look.scale.fitted(values, panel.litter.params().preferred_temperature);
+  };
+  std::vector<view::ColorScale> scales;
   std::vector<double> all;
   for (const Panel& panel : panels) {
-    const std::vector<double> values = look.scale.field->values(panel.litter);
+    const std::vector<double> values = job.look.scale.field->values(panel.litter);
     all.insert(all.end(), values.begin(), values.end());
+    scales.push_back(fitted(values, panel));
   }
-  return look.scale.fitted(all, panels.front().litter.params().preferred_temperature);
+  if (!job.own_scales) scales.assign(panels.size(), fitted(all, panels.front()));
+  return scales;
 }
 
 /// What a litter comes to, small, in the upper corners of its panel.
-void add_caption(io::Image& scene, view::TextPainter& text, const LitterView& litter, double size) {
+void add_caption(io::Image& scene, view::TextPainter& text, const LitterView& litter, double size,
+                 bool celsius) {
   const auto mean = [](std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) /
            static_cast<double>(std::max<std::size_t>(values.size(), 1));
@@ -192,11 +150,20 @@ void add_caption(io::Image& scene, view::TextPainter& text, const LitterView& li
   const auto line = [&](double x, int row, const view::TextLine& words, view::Align align) {
     text.draw(scene, x, margin + (0.8 + 1.3 * row) * small, words, small, kInk, align);
   };
-  line(margin, 0, view::symbol("T", "b") + io::formatted(" %.3f", mean(litter.tb)),
+  const double tb = mean(litter.tb);
+  line(margin, 0,
+       view::symbol("T", "b") + (" " + io::with_celsius(io::formatted("%.3f", tb), tb, celsius)),
        view::Align::left);
   line(margin, 1, {{io::formatted("1 − A %.2f", 1 - mean(litter.exposed))}}, view::Align::left);
   line(right, 0, {{"groups " + std::to_string(sizes.size())}}, view::Align::right);
   line(right, 1, {{"largest " + std::to_string(largest)}}, view::Align::right);
+}
+
+/// The overlays over a litter.
+view::Marks marks_of(const SheetJob& job, const LitterView& litter, const view::ColorScale& scale) {
+  view::Marks marks;
+  job.look.overlays.draw({litter, scale, centres_of(litter), view::Trails()}, marks);
+  return marks;
 }
 
 /// One litter, without its title.
@@ -215,40 +182,46 @@ io::Image draw_panel(const SheetJob& job, const Simulation& simulation,
   palette.transparent = job.look.transparent;
   io::Image scene = renderer.picture(camera, box.width, box.height, job.look.samples(), palette);
   if (job.look.transparent) unmultiply(scene);
-  view::Marks marks;
-  job.look.overlays.draw({litter, scale, centres_of(litter), view::Trails()}, marks);
+  const view::Marks marks = marks_of(job, litter, scale);
   const view::Projection projection(camera, list.bounds(), scene.width, scene.height, list.balls());
   std::vector<view::Flat> flats;
   view::flatten(marks, projection, scene.height / view::kMarkRows, flats);
   add_scale_bar(flats, scene.width, scene.height, camera, size, kInk);
   view::paint(scene, text, flats);
-  if (job.look.caption) add_caption(scene, text, litter, size);
+  if (job.look.caption && box.height >= kLeastForWords) {
+    add_caption(scene, text, litter, size, job.look.celsius);
+  }
   return scene;
 }
 
-io::Image compose(const SheetJob& job, const Layout& layout, const std::vector<Panel>& panels,
-                  const view::ColorScale& scale, gl::Renderer& renderer) {
+io::Image compose(const SheetJob& job, const SheetLayout& layout, const std::vector<Panel>& panels,
+                  const std::vector<view::ColorScale>& scales,
+                  const std::vector<view::LegendEntry>& legend, gl::Renderer& renderer,
+                  view::TextPainter& text) {
   io::Image sheet(layout.width(), layout.height());
   if (!job.look.transparent) view::fill(sheet, {0, 0, sheet.width, sheet.height}, kPaper);
-  view::TextPainter text;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Panel& panel = panels[i];
     const view::Box box = layout.panel_box(static_cast<int>(i));
-    view::blit(
-        sheet,
-        draw_panel(job, panel.litter, scale, box, renderer, text, layout.bar_style.text_size),
-        box.x, box.y);
-    const double fitting = box.width / text.width(panel.title, layout.text);
-    text.draw(sheet, box.x + box.width / 2.0, box.y - 0.45 * layout.text, panel.title,
-              layout.text * std::min(1.0, fitting), kInk, view::Align::centre);
+    view::blit(sheet,
+               draw_panel(job, panel.litter, scales[i], box, renderer, text, layout.legend_text()),
+               box.x, box.y);
+    const double fitting = box.width / text.width(panel.title, layout.text());
+    text.draw(sheet, box.x + box.width / 2.0, box.y - 0.45 * layout.text(), panel.title,
+              layout.text() * std::min(1.0, fitting), kInk, view::Align::centre);
+    if (!job.bar || (i > 0 && !job.own_scales)) continue;
+    view::draw_color_bar(sheet, text,
+                         view::lay_out_color_bar(
+                             layout.bar_box(static_cast<int>(i)), layout.bar_margins(), scales[i],
+                             panel.litter.params().preferred_temperature, layout.bar_style()),
+                         kInk);
   }
-  if (job.bar) {
-    view::draw_color_bar(
-        sheet, text,
-        view::lay_out_color_bar(layout.bar_box(), layout.bar_margins, scale,
-                                job.params.preferred_temperature, layout.bar_style),
-        kInk);
+  std::vector<view::Flat> flats;
+  for (std::size_t i = 0; i < legend.size(); ++i) {
+    const Eigen::Vector2d& at = layout.legend()[i];
+    view::flatten_legend({legend[i]}, at.x(), at.y(), layout.legend_text(), flats);
   }
+  view::paint(sheet, text, flats);
   return sheet;
 }
 
@@ -268,13 +241,13 @@ void check_job(const SheetJob& job) {
   }
 }
 
-void check_size(const SheetJob& job, const Layout& layout) {
+void check_size(const SheetLayout& layout) {
   if (std::max(layout.width(), layout.height()) > kLargestSide) {
     io::refuse("a sheet of " + std::to_string(layout.width()) + "x" +
                std::to_string(layout.height()) + " pixels is too large; a side may have " +
                std::to_string(kLargestSide) + ": take a smaller --panel or fewer of them");
   }
-  refuse_large(layout.width(), layout.height(), job.panel, job.panel, job.look.samples());
+  refuse_large(layout.width(), layout.height());
 }
 
 /// What the file says of itself, beside what `job.entries` says.
@@ -289,7 +262,12 @@ io::TextEntries sheet_entries(const SheetJob& job, const std::vector<Panel>& pan
   entries.emplace_back("hash", io::joined(panels, ",", [](const Panel& panel) {
                          return io::hash_text(panel.litter.hash());
                        }));
-  const io::TextEntries look = look_entries(job.look, scale);
+  io::TextEntries look = look_entries(job.look, scale);
+  if (job.own_scales) {
+    for (auto& [name, value] : look) {
+      if (name == "scale") value = view::name_of(scale.ends);
+    }
+  }
   entries.insert(entries.end(), look.begin(), look.end());
   return entries;
 }
@@ -299,15 +277,20 @@ io::TextEntries sheet_entries(const SheetJob& job, const std::vector<Panel>& pan
 void sheet(const SheetJob& job) {
   check_job(job);
   io::refuse_existing(job.output.path, job.output.force);
-  const Layout layout(job);
   std::vector<Panel> panels = make_panels(job);
+  const Simulation& first = panels.front().litter;
+  const std::vector<view::LegendEntry> legend =
+      marks_of(job, first.view(), job.look.scale.fitted({})).legend;
+  view::TextPainter text;
+  const SheetLayout layout(job, legend, text);
   const Headless headless(job.look);
-  check_size(job, layout);
+  check_size(layout);
   run_all(panels, job);
-  const view::ColorScale scale = common_scale(job.look, panels);
-  io::write_png(job.output.path, compose(job, layout, panels, scale, *headless.renderer),
-                io::provenance(job.params, sheet_entries(job, panels, scale)), job.output.force,
-                png_options(job.look));
+  const std::vector<view::ColorScale> scales = scales_of(job, panels);
+  io::write_png(job.output.path,
+                compose(job, layout, panels, scales, legend, *headless.renderer, text),
+                io::provenance(job.params, sheet_entries(job, panels, scales.front())),
+                job.output.force, png_options(job.look));
 }
 
 }  // namespace pupflow::pictures

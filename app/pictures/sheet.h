@@ -23,8 +23,9 @@ struct SheetJob {
   std::vector<Axis> axes;  // one or two: the first goes across, a second one down
   int panel = 560;         // edge of a panel, pixels
   view::Camera camera = view::Camera::parse(view::Camera::kUsual);
-  bool bar = true;  // draw the legend of the colors
-  int threads = 1;  // that step the litters
+  bool bar = true;          // draw the legend of the colors
+  bool own_scales = false;  // a scale and a legend for each panel
+  int threads = 1;          // that step the litters
   Look look;
   Output output;
   std::string verb;         // for progress and messages
@@ -32,7 +33,7 @@ struct SheetJob {
 };
 
 /// Runs one litter for each panel and writes the sheet. All panels have one color scale, fitted to
-/// all litters. Throws Failure, and writes nothing then: bad_input (also for sizes that cannot be
+/// all litters, unless each has its own. Throws Failure, and writes nothing then: bad_input (also for sizes that cannot be
 /// drawn), bad_file (before anything is run when the output exists), bad_numbers, no_context,
 /// interrupted.
 void sheet(const SheetJob& job);

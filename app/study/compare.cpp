@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "app/io/celsius.h"
 #include "app/io/failure.h"
 #include "app/io/json.h"
 #include "app/io/read_file.h"
@@ -160,7 +161,7 @@ Comparison compare_summaries(const std::string& first, const std::string& second
   return comparison;
 }
 
-std::string comparison_text(const Comparison& comparison) {
+std::string comparison_text(const Comparison& comparison, bool celsius) {
   std::string text = "difference of the means in combined standard errors\n";
   constexpr int kWidth = 9;
   char cell[96];
@@ -192,9 +193,9 @@ std::string comparison_text(const Comparison& comparison) {
     std::snprintf(cell, sizeof cell, ", %d unknown: fewer than two runs", comparison.unknown);
     text += cell;
   }
-  std::snprintf(cell, sizeof cell, ", rms %.2f, mean_tb within %.4f and %.1f standard errors\n",
-                comparison.rms, comparison.largest_tb, comparison.largest_tb_errors);
-  text += cell;
+  text += io::formatted(", rms %.2f, mean_tb within %.4f", comparison.rms, comparison.largest_tb);
+  if (celsius) text += io::formatted(" (%.2f \u00b0C)", io::celsius(comparison.largest_tb));
+  text += io::formatted(" and %.1f standard errors\n", comparison.largest_tb_errors);
   for (const std::string& name : comparison.left_out)
     text += name + " was not compared: it is not in both files\n";
   return text;

@@ -37,7 +37,8 @@ Comparison compare_summaries(const std::string& first, const std::string& second
 /// All of it as one JSON object.
 std::string comparison_json(const Comparison& comparison);
 
-/// A table of all points, followed by the totals.
-std::string comparison_text(const Comparison& comparison);
+/// A table of all points, followed by the totals; with `celsius` also in degrees where they are
+/// temperatures.
+std::string comparison_text(const Comparison& comparison, bool celsius = false);
 
 }  // namespace pupflow::study

@@ -8,6 +8,7 @@
 #include "app/io/provenance.h"
 #include "app/io/schedule_text.h"
 #include "app/io/text.h"
+#include "app/io/toml_problem.h"
 #include "app/study/design.h"
 #include "app/study/latin.h"
 #include "app/study/table.h"
@@ -162,7 +163,7 @@ Design parse_manifest(const std::string& text, const std::string& where, const s
   try {
     toml = toml::parse(text);
   } catch (const toml::parse_error& error) {
-    refuse(where, std::string(error.description()));
+    refuse(where, io::toml_problem(error.description()));
   }
   Design design;
   const auto sweep = toml["sweep"];

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/io/celsius.h"
 #include "app/io/text.h"
 
 namespace pupflow::study {
@@ -22,15 +23,23 @@ std::string enhanced(std::string_view text) {
   return result;
 }
 
-std::string label(const Parameter& parameter) {
+namespace {
+
+constexpr const char* kFactor = "0.6 is 37 \u00b0C";
+
+}  // namespace
+
+std::string label(const Parameter& parameter, bool celsius) {
   if (parameter.symbol.empty()) return std::string(parameter.title);
   std::string text = enhanced(parameter.symbol) + "  (" + std::string(parameter.title);
   if (!parameter.unit.empty()) text += ", " + std::string(parameter.unit);
+  if (celsius && io::is_temperature(parameter)) text += ", " + std::string(kFactor);
   return text + ")";
 }
 
-std::string label(const Field& field) {
+std::string label(const Field& field, bool celsius) {
   std::string text = enhanced(field.label);
+  if (celsius && io::is_temperature(field)) text += "  (" + std::string(kFactor) + ")";
   if (!field.unit.empty()) text += "  (" + std::string(field.unit) + ")";
   return text;
 }

@@ -126,8 +126,8 @@ class Maps {
 
   /// Ticks and label of an axis on the panels at the edge, ticks alone elsewhere.
   void axis(const char* name, const Axis& axis, const Ticks& ticks, bool edge) {
-    s_ << "  set " << name << "label \"" << (edge ? label(*axis.parameter) : "") << "\"\n  set "
-       << name << "tics ";
+    s_ << "  set " << name << "label \"" << (edge ? label(*axis.parameter, true) : "")
+       << "\"\n  set " << name << "tics ";
     if (by_number(axis)) {
       s_ << "(" << ticks.list(edge) << ")\n";
     } else {
@@ -148,7 +148,7 @@ class Maps {
        << x(kBar) << ", " << y(panel_height()) << "\n  set format cb '%.4g'\n";
     axis("x", across_, x_ticks_, row == kRows - 1);
     axis("y", down_, y_ticks_, column == 0);
-    s_ << "  set title \"" << label(field) << "\" offset 0,-0.4\n  plot " << source_.name
+    s_ << "  set title \"" << label(field, true) << "\" offset 0,-0.4\n  plot " << source_.name
        << " using ";
     const std::size_t width = drawn_values(across_).size();
     if (cells_) {

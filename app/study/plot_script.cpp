@@ -1,8 +1,10 @@
 #include "app/study/plot_script.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
+#include "app/io/celsius.h"
 #include "app/io/gnuplot.h"
 #include "app/io/text.h"
 #include "app/study/plot_labels.h"
@@ -19,7 +21,7 @@ struct Panel {
   std::string_view title;  // in place of the observable's label; may be empty
 };
 constexpr Panel kFourPanels[] = {
-    {Observable::mean_tb, "body temperature T_b  (0.6 is 37 °C)"},
+    {Observable::mean_tb, ""},
     {Observable::huddling, ""},
     {Observable::groups, ""},
     {Observable::flow, "pup flow and standard deviation of A"},
@@ -92,6 +94,19 @@ struct Curves {
   }
 };
 
+/// Degrees beside the axis of mean T_b, which begins at 0 or below.
+std::string celsius_of_tb(const std::vector<Summary>& summaries) {
+  double low = 0, high = 0;
+  for (const Summary& summary : summaries) {
+    const double mean = summary.statistics[statistic_of(Observable::mean_tb)].mean;
+    if (summary.runs == 0 || !std::isfinite(mean)) continue;
+    low = std::min(low, mean);
+    high = std::max(high, mean);
+  }
+  // With a second axis gnuplot ends the first one at the data.
+  return io::celsius_axis("y", low, high) + "  set offsets 0, 0, graph 0.05, 0\n";
+}
+
 /// Commands that start the y axis at 0, or add a label that it does not: T_b may be negative.
 std::string start_of_axis(const std::vector<Summary>& summaries, bool first) {
   const bool negative = std::any_of(summaries.begin(), summaries.end(), [](const Summary& s) {
@@ -105,7 +120,7 @@ std::string start_of_axis(const std::vector<Summary>& summaries, bool first) {
 std::string four_panels(const Design& design, const Axis& axis,
                         const std::vector<Summary>& summaries) {
   const std::string varied(axis.parameter->name);
-  const bool ta = varied == "ta";
+  const bool ta = varied == "ta", temperature = io::is_temperature(*axis.parameter);
   const PlotSource source = plot_source(design, summaries, {&axis});
   const Curves curves{source.name, varied, axis.parameter->kind == Parameter::Kind::choice};
   const auto number = static_cast<std::size_t>(&axis - design.axes.data());
@@ -127,8 +142,14 @@ std::string four_panels(const Design& design, const Axis& axis,
            (note.empty() ? "" : ";   ") + note;
   }
   std::ostringstream s;
-  s << "  set multiplot layout 2,2 margins 0.05,0.92,0.12,0.95 spacing 0.12,0.13\n"
-    << "  set xlabel \"" << label(*axis.parameter) << "\"\n"
+  const auto [low, high] = std::minmax_element(axis.values.begin(), axis.values.end());
+  const int border = temperature ? 7 : 3;          // gnuplot's sides: below, left, above; 8: right
+  const double above = temperature ? 1.16 : 1.05;  // above the axis in degrees
+  s << "  set multiplot layout 2,2 margins 0.05,0.92,0.12,"
+    << (temperature ? "0.9 spacing 0.12,0.19" : "0.95 spacing 0.12,0.13") << '\n'
+    << "  set border " << border << '\n'
+    << (temperature ? io::celsius_axis("x", *low, *high) : "") << "  set xlabel \""
+    << label(*axis.parameter) << "\"\n"
     << "  set style fill transparent solid 0.2 noborder\n  set key top left Left reverse samplen 2 "
        "textcolor "
        "'#444444'\n"
@@ -142,12 +163,15 @@ std::string four_panels(const Design& design, const Axis& axis,
     const std::string column(field.name);
     const bool first = observable == Observable::mean_tb, flow = observable == Observable::flow;
     s << "\n  set label 3 \"" << letter++ << "   "
-      << (title.empty() ? label(field) : enhanced(title)) << "\" at graph 0, graph 1.05 left\n";
+      << (title.empty() ? label(field) : enhanced(title)) << "\" at graph 0, graph " << above
+      << " left\n";
+    if (first) s << "  set border " << (border | 8) << '\n' << celsius_of_tb(summaries);
     if (!first) s << "  unset label 4\n  unset label 5\n";  // drawn with the first panel
     if (ta) s << marks(design, axis, first);
     s << start_of_axis(summaries, first);
     if (flow) {
-      s << "  set border 11\n  set y2range [0:*]\n  set y2tics nomirror out textcolor '" << kOrange
+      s << "  set border " << (border | 8)
+        << "\n  set y2range [0:*]\n  set y2tics nomirror out textcolor '" << kOrange
         << "'\n  set ytics textcolor '" << kBlue << "'\n"
         << "  set ylabel 'pup flow |ΔA|/Δt over " << lag << "  (1/s)' textcolor '" << kBlue
         << "' offset 1,0\n"
@@ -163,8 +187,10 @@ std::string four_panels(const Design& design, const Axis& axis,
                      "title 'sd of A (right)'");
     }
     s << '\n';
+    if (first) s << io::no_celsius_axis("y") << "  unset offsets\n  set border " << border << '\n';
   }
   // Back to the settings before panel D, for the other format.
+  if (temperature) s << io::no_celsius_axis("x");
   s << "  set border 3\n  unset y2tics\n  unset y2label\n  unset ylabel\n"
     << "  set y2range [*:*]\n  set ytics textcolor '#222222'\n";
   s << "  unset multiplot\n";

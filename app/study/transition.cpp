@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/io/celsius.h"
 #include "app/io/text.h"
 
 namespace pupflow::study {
@@ -39,12 +40,19 @@ std::optional<Range> held_between(double a, double b, double at_a, double at_b) 
   return Range{from == 0 ? a : a + from * (b - a), to == 1 ? b : a + to * (b - a)};
 }
 
-std::string held_text(const std::vector<Range>& held) {
+/// A temperature as the summary of a sweep has it.
+std::string ta_text(double ta, bool celsius) {
+  return io::with_celsius(io::formatted("%.3f", ta), ta, celsius);
+}
+
+std::string held_text(const std::vector<Range>& held, bool celsius) {
   if (held.empty())
     return io::formatted("mean T_b is within %g of T_p at no T_a of this sweep\n", kHeld);
   std::string text = io::formatted("mean T_b is within %g of T_p over T_a ", kHeld);
-  for (std::size_t i = 0; i < held.size(); ++i)
-    text += (i == 0 ? "" : ", ") + io::formatted("%.3f to %.3f", held[i].from, held[i].to);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + ta_text(held[i].from, celsius) + " to " +
+            ta_text(held[i].to, celsius);
+  }
   return text + "\n";
 }
 
@@ -109,20 +117,25 @@ std::optional<Transition> find_transition(const Design& design,
   return t;
 }
 
-std::string transition_text(const Design& design, const Transition& t) {
-  std::string text = t.steepest
-                         ? io::formatted("1 - A falls most steeply between T_a %.3f and %.3f",
-                                         t.steepest->from, t.steepest->to)
-                         : "1 - A does not fall";
-  if (design.base.air_conductance > 0)
-    text += io::formatted("; T_p - G/k1 = %.3f",
-                          design.base.preferred_temperature -
-                              design.base.thermogenesis / design.base.air_conductance);
-  text += io::formatted("\nthe standard deviation of A is highest, %.3g, at T_a %.3f\n",
-                        t.exposed_sd.value, t.exposed_sd.ta);
-  text += io::formatted("pup flow (lag %lld) is highest, %.3g /s, at T_a %.3f\n",
-                        static_cast<long long>(design.base.flow_lag), t.flow.value, t.flow.ta);
-  return text + held_text(t.held);
+std::string transition_text(const Design& design, const Transition& t, bool celsius) {
+  const Params& base = design.base;
+  std::string text = "1 - A does not fall";
+  if (t.steepest) {
+    text = "1 - A falls most steeply between T_a " + ta_text(t.steepest->from, celsius) + " and " +
+           ta_text(t.steepest->to, celsius);
+  }
+  if (base.air_conductance > 0) {
+    text +=
+        "; T_p - G/k1 = " +
+        ta_text(base.preferred_temperature - base.thermogenesis / base.air_conductance, celsius);
+  }
+  text +=
+      io::formatted("\nthe standard deviation of A is highest, %.3g, at T_a ", t.exposed_sd.value) +
+      ta_text(t.exposed_sd.ta, celsius);
+  text += io::formatted("\npup flow (lag %lld) is highest, %.3g /s, at T_a ",
+                        static_cast<long long>(base.flow_lag), t.flow.value) +
+          ta_text(t.flow.ta, celsius) + "\n";
+  return text + held_text(t.held, celsius);
 }
 
 }  // namespace pupflow::study

@@ -39,7 +39,8 @@ struct Transition {
 std::optional<Transition> find_transition(const Design& design,
                                           const std::vector<Summary>& summaries);
 
-/// Four lines of text.
-std::string transition_text(const Design& design, const Transition& transition);
+/// Four lines of text; with `celsius` T_a in degrees, too.
+std::string transition_text(const Design& design, const Transition& transition,
+                            bool celsius = false);
 
 }  // namespace pupflow::study

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/io/celsius.h"
+
 namespace pupflow::view {
 
 namespace {
@@ -20,6 +22,19 @@ struct Tick {
   double value;
   std::string label;
 };
+
+/// Whether the bar has a second axis in degrees.
+bool has_celsius(const ColorScale& scale, const ColorBarStyle& style) {
+  return style.celsius && scale.is_temperature();
+}
+
+std::vector<Tick> celsius_ticks(const ColorScale& scale) {
+  std::vector<Tick> ticks;
+  for (const double degrees : round_ticks(io::celsius(scale.min), io::celsius(scale.max), kTicks)) {
+    ticks.push_back({degrees / io::kCelsiusPerUnit, tick_label(degrees)});
+  }
+  return ticks;
+}
 
 std::vector<Tick> ticks_of(const ColorScale& scale) {
   std::vector<Tick> ticks;
@@ -43,13 +58,25 @@ std::string category_label(const ColorScale& scale, int category) {
   return label;
 }
 
+std::size_t length(const std::string& label) {
+  return static_cast<std::size_t>(std::count_if(
+      label.begin(), label.end(), [](char c) { return (static_cast<int>(c) & 0xc0) != 0x80; }));
+}
+
+/// Characters of the longest label in degrees, as far as it is known before the data. T_p and "°C"
+/// need no more room.
+double longest_celsius(const ColorScale& scale) {
+  std::size_t longest = 5;  // "−12.5"
+  if (scale.is_fitted() && (scale.ends == Ends::field || scale.ends == Ends::typed)) {
+    longest = 3;
+    for (const Tick& tick : celsius_ticks(scale)) longest = std::max(longest, length(tick.label));
+  }
+  return static_cast<double>(longest);
+}
+
 /// Characters of the longest label, as far as it is known before the data.
 std::size_t longest_label(const ColorScale& scale) {
   constexpr std::size_t kOfData = 6;
-  const auto length = [](const std::string& label) {
-    return static_cast<std::size_t>(std::count_if(
-        label.begin(), label.end(), [](char c) { return (static_cast<int>(c) & 0xc0) != 0x80; }));
-  };
   std::size_t longest = 0;
   if (scale.categorical()) {
     longest = kOfData;
@@ -88,6 +115,11 @@ void add_categories(ColorBar& layout, const Box& bar, const ColorScale& scale, d
   }
 }
 
+/// How thick ticks are.
+double stroke_of(double size) {
+  return std::max(1.0, std::round(size / 14));
+}
+
 /// Triangles in the colors of the ends beyond which there are values.
 void add_ends(ColorBar& layout, const Box& bar, const ColorScale& scale) {
   const double left = bar.x - 1, right = bar.x + bar.width + 1, middle = (left + right) / 2;
@@ -102,8 +134,27 @@ void add_ends(ColorBar& layout, const Box& bar, const ColorScale& scale) {
   }
 }
 
-void add_bar(ColorBar& layout, const Box& bar, const ColorScale& scale, double tp, double size) {
-  const double stroke = std::max(1.0, std::round(size / 14));
+/// Degrees to the left of the bar. A tick that T_p would touch is left out.
+void add_celsius(ColorBar& layout, const Box& bar, const ColorScale& scale, double tp, double size,
+                 const auto& height_of) {
+  const double left = bar.x - 1, tick_end = left - kTick * size, stroke = stroke_of(size);
+  const double taken = height_of(std::clamp(tp, scale.min, scale.max));
+  const double beside = tp < scale.min || tp > scale.max ? 2.2 * size : 1.1 * size;
+  for (const Tick& tick : celsius_ticks(scale)) {
+    const double y = height_of(tick.value);
+    if (std::abs(y - taken) < beside) continue;
+    layout.strokes.push_back({tick_end, y, left, y, stroke});
+    layout.labels.push_back(
+        {tick_end - kGap * size, y + kTickText * size, {{tick.label}}, size, Align::right});
+  }
+  layout.labels.push_back(
+      {left - kGap * size, bar.y - 0.9 * size, {{"\u00b0C"}}, size, Align::right});
+}
+
+void add_bar(ColorBar& layout, const Box& bar, const ColorScale& scale, double tp,
+             const ColorBarStyle& style) {
+  const double size = style.text_size;
+  const double stroke = stroke_of(size);
   for (int row = 0; row < bar.height; ++row) {
     const double share = 1 - (row + 0.5) / bar.height;
     layout.fills.push_back(
@@ -131,6 +182,7 @@ void add_bar(ColorBar& layout, const Box& bar, const ColorScale& scale, double t
   }
   add_ends(layout, bar, scale);
   if (!scale.is_temperature()) return;
+  if (style.celsius) add_celsius(layout, bar, scale, tp, size, height_of);
   const double tip = bar.x - 2, head = 0.45 * size;
   if (on_scale(tp)) {
     // An arrow head from the left, so that it never meets a tick's label.
@@ -197,7 +249,9 @@ ColorBarMargins color_bar_margins(const ColorScale& scale, const ColorBarStyle& 
   constexpr double kDigit = 0.64;  // width of a character, of the text size
   const double labels = kTick + kGap + kDigit * static_cast<double>(longest_label(scale));
   const double right = style.titled ? std::max(5.0, labels + 1.6 * kTitle) : labels;
-  return {static_cast<int>(std::lround(2.1 * style.text_size)),
+  const double left =
+      has_celsius(scale, style) ? kTick + kGap + kDigit * longest_celsius(scale) : 2.1;
+  return {static_cast<int>(std::lround(left * style.text_size)),
           static_cast<int>(std::lround(right * style.text_size))};
 }
 
@@ -221,7 +275,7 @@ ColorBar lay_out_color_bar(const Box& bar, const ColorBarMargins& margins, const
   } else if (scale.field->kind == FieldKind::angle) {
     add_wheel(layout, bar, scale, size);
   } else {
-    add_bar(layout, bar, scale, tp, size);
+    add_bar(layout, bar, scale, tp, style);
   }
   if (scale.unknown) {
     const int side = static_cast<int>(1.2 * size);

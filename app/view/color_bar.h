@@ -22,7 +22,8 @@ TextLine title_of(const Field& field);
 struct ColorBarStyle {
   double text_size = 16;  // em of the tick labels, pixels
   Rgb ink{40, 40, 40};
-  bool titled = true;  // says what field it is of
+  bool titled = true;    // says what field it is of
+  bool celsius = false;  // a temperature's bar has degrees on its left, too
 };
 
 /// Pixels that labels and title need on either side of a bar. They do not depend on the data, so
@@ -74,7 +75,7 @@ struct ColorBar {
 /// over the swatches. Triangles at its ends say that there are values beyond. An angle has a wheel
 /// instead. Where the field is a temperature, the preferred temperature `tp` is marked; beyond the
 /// scale by a triangle that points there. Values that are not known have a swatch below. `margins`
-/// are those of the scale before it was fitted.
+/// are those of the scale before it was fitted. Degrees stand on the left, where T_p leaves them room.
 ColorBar lay_out_color_bar(const Box& bar, const ColorBarMargins& margins, const ColorScale& scale,
                            double tp, const ColorBarStyle& style);
 

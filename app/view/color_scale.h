@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "app/io/celsius.h"
 #include "app/view/colormap.h"
 #include "pupflow/fields.h"
 
@@ -69,8 +70,7 @@ struct ColorScale {
   /// set, also unless the field is a temperature.
   void set_ends(Ends from);
 
-  /// Whether the field is a temperature (its symbol is a T with an index).
-  bool is_temperature() const { return field->symbol.starts_with("T_"); }
+  bool is_temperature() const { return io::is_temperature(*field); }
 
   /// The same for Ends::automatic, but leaves categories and angles as they are.
   void follow_data();

@@ -10,6 +10,7 @@
 #include "app/view/camera.h"
 #include "app/view/color_scale.h"
 #include "app/view/drawing.h"
+#include "app/view/ellipsoid.h"
 #include "app/view/light.h"
 #include "app/view/skin_mesh.h"
 #include "pupflow/view.h"
@@ -50,7 +51,10 @@ class DrawList {
 
   std::span<const Vertex> spheres() const { return spheres_; }
   const Triangles& skin() const { return skin_; }
-  const Triangles& outline() const { return outline_; }   // soft, around the skin
+  const Triangles& outline() const { return outline_; }  // soft, around the skin
+  std::span<const Ellipsoid> ellipsoids() const {
+    return ellipsoids_;
+  }                                                       // bodies too small for more
   std::span<const Ball> balls() const { return balls_; }  // outlines of the bodies
   const FloorLight& floor() const { return floor_; }      // empty without shadows
   const Drawing& drawing() const { return drawing_; }     // of the last update
@@ -65,6 +69,9 @@ class DrawList {
   struct Body;  // what is known of one pup while it is added
 
   void find_bodies(const LitterView& litter);
+  bool is_small(const Body& body) const;
+  void add_ellipsoid(const Body& body, const Light& light);
+  Rgb mean_color(const Body& body) const;
   void add_spheres(const Body& body, const Light& light);
   void add_skin(const Body& body, const Light& light);
   void add_cells(const Body& body, const SkinMesh& mesh, const std::vector<Vertex>& vertices,
@@ -77,6 +84,7 @@ class DrawList {
 
   std::vector<Vertex> spheres_;
   Triangles skin_, outline_;
+  std::vector<Ellipsoid> ellipsoids_;
   FloorLight floor_;
   Drawing drawing_;
   ColorScale scale_;

@@ -12,14 +12,14 @@ constexpr float kKey = 0.62f, kSky = 0.42f, kFloor = 0.14f;
 constexpr float kCone = 35 * std::numbers::pi_v<float> / 180;
 constexpr float kLampAzimuth = 100 * std::numbers::pi_v<float> / 180;
 constexpr float kLampElevation = 60 * std::numbers::pi_v<float> / 180;
-constexpr float kLeast = 0.04f;     // of the full light: hues stay visible
+constexpr float kLeast = 0.04f, kLowSky = 0.6f;
 constexpr float kCrevice = 1.3f;    // how much darker than by the sky alone it is between bodies
 constexpr float kPenumbra = 0.35f;  // half-width of a soft shadow's edge, a distance away
 constexpr float kReach = 3.2f;      // between the centres of neighbours, in radii
 constexpr float kFloorReach = 3;    // of a body's shade on the floor, in radii from its middle
 
 float encoded(float light) {
-  return std::pow(light, 1 / 2.2f);
+  return std::pow(light, 1 / LightModel::kGamma);
 }
 
 /// The light that counts as 1: the least within the cone of open surfaces around the lamp.
@@ -50,11 +50,61 @@ float left_of_key(const Eigen::Vector3f& away, float radius, const Eigen::Vector
   return share * share * (3 - 2 * share);
 }
 
+constexpr float kPixelsOfTexel = 2;
+constexpr int kAtOnce = 8;  // texels of the floor
+
+/// A row of the floor: x = first + column * step. Columns are taken kAtOnce at a time.
+struct FloorRow {
+  float step, first, y;
+  int begin, end;
+  float *sky, *key;  // its light
+};
+
+/// Takes from a row of the floor what a ball hides of the sky there (hidden_sky with the normal up)
+/// and of the lamp (left_of_key). The ball's shade on the sky fades out `outside` away from `middle`.
+void shade(const FloorRow& row, const Ball& ball, const Eigen::Vector3f& lamp,
+           const Eigen::Vector2f& middle, float outside) {
+  using Texels = Eigen::Array<float, kAtOnce, 1>;
+  static const Texels steps = Texels::LinSpaced(kAtOnce, 0, kAtOnce - 1);
+  constexpr float kFar = 1e6f;
+  const float r = ball.radius, z = ball.centre.z();
+  const float dy = ball.centre.y() - row.y, middle_y = row.y - middle.y();
+  for (int column = row.begin; column < row.end; column += kAtOnce) {
+    const Texels x = row.first + row.step * (static_cast<float>(column) + steps);
+    const Texels dx = ball.centre.x() - x;
+    const Texels distance2 = (dx.square() + (dy * dy + z * z)).max(1e-12f);
+    const Texels through_h2 = r * r / distance2.max(r * r);
+    Texels hidden;
+    if (z > r) {
+      hidden = z / distance2.sqrt() * through_h2;
+    } else {
+      const Texels cosine_h = z / distance2.sqrt().min(r);
+      const Texels share = (0.5f * (cosine_h + 1) * through_h2).max(0.0f);
+      hidden = share * share.sqrt();
+    }
+    const Texels far = ((x - middle.x()).square() + middle_y * middle_y) / (outside * outside);
+    const Texels fade = (1 - far).max(0.0f).square();
+
+    const Texels along = dx * lamp.x() + (dy * lamp.y() + z * lamp.z());
+    // What is nearer to the lamp than the ball is as good as far from it.
+    const Texels passes = (distance2 - along.square()).max(0.0f).sqrt() - kFar * along.min(0.0f);
+    const Texels soft = 2 * kPenumbra * along.max(0.5f * r);
+    const Texels share = ((passes - r) / soft + 0.5f).max(0.0f).min(1.0f);
+    Eigen::Map<Texels>(row.sky + column) *= 1 - fade * hidden;
+    Eigen::Map<Texels>(row.key + column) *= share.square() * (3 - 2 * share);
+  }
+}
+
 }  // namespace
 
 Eigen::Vector3f key_light() {
   return {std::cos(kLampElevation) * std::cos(kLampAzimuth),
           std::cos(kLampElevation) * std::sin(kLampAzimuth), std::sin(kLampElevation)};
+}
+
+const LightModel& light_model() {
+  static const LightModel model{kKey, kSky, kFloor, full_light(), kLeast, kLowSky};
+  return model;
 }
 
 Light::Light(std::span<const Ball> balls, bool occlusion)
@@ -84,38 +134,48 @@ Light::Light(std::span<const Ball> balls, bool occlusion)
   }
 }
 
-float Light::at(std::size_t own, const Eigen::Vector3f& place,
-                const Eigen::Vector3f& normal) const {
+Light::Left Light::left(std::size_t own, const Eigen::Vector3f& place,
+                        const Eigen::Vector3f& normal) const {
   static const Eigen::Vector3f lamp = key_light();
-  static const float full = full_light();
-  float key = std::max(normal.dot(lamp), 0.0f), sky = 1;
+  Left left;
+  const bool lit = normal.dot(lamp) > 0;
   for (std::size_t i = first_[own]; i < first_[own + 1]; ++i) {
     const Ball& ball = balls_[static_cast<std::size_t>(neighbours_[i])];
     const Eigen::Vector3f away = ball.centre - place;
     const bool below = normal.dot(away) < -ball.radius;  // the horizon: it hides nothing
-    if (!below) sky *= 1 - std::min(kCrevice * hidden_sky(away, ball.radius, normal), 1.0f);
-    if (key > 0) key *= left_of_key(away, ball.radius, lamp);
+    if (!below) left.sky *= 1 - std::min(kCrevice * hidden_sky(away, ball.radius, normal), 1.0f);
+    if (lit) left.key *= left_of_key(away, ball.radius, lamp);
   }
+  return left;
+}
+
+float Light::at(std::size_t own, const Eigen::Vector3f& place,
+                const Eigen::Vector3f& normal) const {
+  static const Eigen::Vector3f lamp = key_light();
+  const auto [sky, key] = left(own, place, normal);
   // A body hides from its lower side the floor's light, the more the lower it lies.
   const float radius = std::max(balls_[own].radius, 1e-6f);
   const float height = std::clamp(place.z() / radius, 0.0f, 1.0f);
-  const float light =
-      kKey * key * std::sqrt(sky) + sky * (kSky * (1 + normal.z()) / 2 * (0.6f + 0.4f * height) +
-                                           kFloor * (1 - normal.z()) / 2 * height);
-  return encoded(std::clamp(light / full, kLeast, 1.0f));
+  const float light = kKey * std::max(normal.dot(lamp), 0.0f) * key * std::sqrt(sky) +
+                      sky * (kSky * (1 + normal.z()) / 2 * (kLowSky + (1 - kLowSky) * height) +
+                             kFloor * (1 - normal.z()) / 2 * height);
+  return encoded(std::clamp(light / light_model().full, kLeast, 1.0f));
 }
 
-void Light::on_floor(float arena_radius, FloorLight& floor) const {
+void Light::on_floor(float arena_radius, float pixel, FloorLight& floor) const {
   static const Eigen::Vector3f lamp = key_light();
   float smallest = arena_radius;
   for (const Ball& ball : balls_) smallest = std::min(smallest, std::max(ball.radius, 1e-3f));
-  // Shades are as soft as this many texels a radius need.
-  const float per_radius = balls_.size() > 100 ? 6 : 10;
+  // Shades are as soft as this many texels a radius need; more than one a pixel are in vain.
+  constexpr float kMostTexels = 10, kLeastTexels = 4;
+  const float per_radius =
+      std::clamp(smallest / (kPixelsOfTexel * pixel), kLeastTexels, kMostTexels);
   floor.size =
       static_cast<int>(std::clamp(2 * arena_radius / smallest * per_radius, 16.0f, 1024.0f));
   floor.reach = arena_radius;
-  const std::size_t size = static_cast<std::size_t>(floor.size);
-  std::vector<float> key(size * size, 1), sky(size * size, 1);
+  const auto size = static_cast<std::size_t>(floor.size);
+  const std::size_t width = (size + kAtOnce - 1) / kAtOnce * kAtOnce;  // of a row in memory
+  std::vector<float> key(size * width, 1), sky(size * width, 1);
   const float texel = 2 * arena_radius / static_cast<float>(floor.size);
   const auto index = [&](float coordinate) {
     return static_cast<int>(
@@ -129,20 +189,16 @@ void Light::on_floor(float arena_radius, FloorLight& floor) const {
     const Eigen::Vector2f shift = -centre.z() / lamp.z() * lamp.head<2>();
     const Eigen::Vector2f middle = centre.head<2>() + 0.5f * shift;
     const float outside = reach + 0.5f * shift.norm();
-    for (int row = index(middle.y() - outside); row < index(middle.y() + outside); ++row) {
-      for (int column = index(middle.x() - outside); column < index(middle.x() + outside);
-           ++column) {
-        const Eigen::Vector3f place((static_cast<float>(column) + 0.5f) * texel - arena_radius,
-                                    (static_cast<float>(row) + 0.5f) * texel - arena_radius, 0);
-        const Eigen::Vector3f away = centre - place;
-        const float far = (place.head<2>() - middle).squaredNorm() / (outside * outside);
-        if (far >= 1) continue;
-        const std::size_t i =
-            static_cast<std::size_t>(row) * size + static_cast<std::size_t>(column);
-        const float fade = (1 - far) * (1 - far);
-        sky[i] *= 1 - fade * hidden_sky(away, ball.radius, Eigen::Vector3f::UnitZ());
-        key[i] *= left_of_key(away, ball.radius, lamp);
-      }
+    const int rows_end = index(middle.y() + outside);
+    for (int row = index(middle.y() - outside); row < rows_end; ++row) {
+      const float y = (static_cast<float>(row) + 0.5f) * texel - arena_radius;
+      const float half2 = outside * outside - (y - middle.y()) * (y - middle.y());
+      if (half2 <= 0) continue;
+      const float half = std::sqrt(half2);
+      const std::size_t first = static_cast<std::size_t>(row) * width;
+      shade({texel, texel / 2 - arena_radius, y, index(middle.x() - half) / kAtOnce * kAtOnce,
+             index(middle.x() + half), &sky[first], &key[first]},
+            ball, lamp, middle, outside);
     }
   }
   floor.texels.resize(size * size);
@@ -151,9 +207,12 @@ void Light::on_floor(float arena_radius, FloorLight& floor) const {
     table[i] = static_cast<std::uint8_t>(std::lround(255 * encoded(static_cast<float>(i) / 255)));
   }
   const float open = kKey * lamp.z() + kSky;
-  for (std::size_t i = 0; i < floor.texels.size(); ++i) {
-    const float light = (kKey * lamp.z() * key[i] + kSky * sky[i]) / open;
-    floor.texels[i] = table[static_cast<std::size_t>(255 * light + 0.5f)];
+  std::uint8_t* texel_of = floor.texels.data();
+  for (std::size_t row = 0; row < size; ++row) {
+    for (std::size_t i = row * width; i < row * width + size; ++i) {
+      const float light = (kKey * lamp.z() * key[i] + kSky * sky[i]) / open;
+      *texel_of++ = table[static_cast<std::size_t>(255 * light + 0.5f)];
+    }
   }
 }
 

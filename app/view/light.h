@@ -16,6 +16,16 @@ namespace pupflow::view {
 /// The direction of the key lamp, a unit vector: 60 degrees above the floor.
 Eigen::Vector3f key_light();
 
+/// How bright surfaces are. `encoded` light is what multiplies a color.
+struct LightModel {
+  float key, sky, floor;  // strengths
+  float full;             // the light that counts as 1
+  float least;            // of it that is always there: hues stay visible
+  float low_sky;          // the share of the sky's light that reaches a body's foot
+  static constexpr float kGamma = 2.2f;
+};
+const LightModel& light_model();
+
 /// The outline of a body, as far as its shadow is concerned; world units.
 struct Ball {
   Eigen::Vector3f centre = Eigen::Vector3f::Zero();
@@ -36,11 +46,17 @@ class Light {
   /// `occlusion` by none.
   Light(std::span<const Ball> balls, bool occlusion);
 
+  /// The shares of the sky and of the lamp that neighbours leave.
+  struct Left {
+    float sky = 1, key = 1;
+  };
+  Left left(std::size_t own, const Eigen::Vector3f& place, const Eigen::Vector3f& normal) const;
+
   /// Brightness, in 0 ... 1, at a place with this unit normal on the body `own`.
   float at(std::size_t own, const Eigen::Vector3f& place, const Eigen::Vector3f& normal) const;
 
-  /// Light on a floor with that radius.
-  void on_floor(float arena_radius, FloorLight& floor) const;
+  /// Light on a floor with that radius of which one sees no more than `pixel`; world units.
+  void on_floor(float arena_radius, float pixel, FloorLight& floor) const;
 
  private:
   std::span<const Ball> balls_;

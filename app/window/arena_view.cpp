@@ -1,102 +1,131 @@
 #include "app/window/arena_view.h"
 
-#include <filesystem>
+#include <GL/glew.h>
+
+#include <chrono>
 #include <utility>
 
-#include "app/io/frame_path.h"
-#include "app/io/provenance.h"
-#include "app/io/text.h"
-#include "app/pictures/picture.h"
 #include "app/view/framing.h"
 
 namespace pupflow::window {
 namespace {
 
-constexpr const char* kPattern = "pupflow-%05d.png";
+/// What takes no longer is waited for, so that it is in the same frame as the panels; seconds.
+constexpr double kQuick = 0.012;
+
 constexpr double kForever = 3600;  // seconds
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 }  // namespace
 
-ArenaView::ArenaView(const pictures::Look& look, std::function<void()> notify)
-    : look_(look), renderer_(look.shader_dir), worker_(std::move(notify)) {}
+ArenaView::ArenaView(const context::GlfwWindow& window, const pictures::Look& look,
+                     std::function<void()> notify)
+    : look_(look), context_(window), worker_(std::move(notify)) {
+  give({.work =
+            [this, shaders = look.shader_dir] {
+              context_.make_current();
+              studio_.emplace(Studio{gl::Renderer(shaders), {}});
+            },
+        .done = {},
+        .holds = false});
+}
+
+ArenaView::~ArenaView() {
+  const auto wait = [&] {
+    for (bool idle = false; !idle;) {
+      try {
+        idle = worker_.done_within(kForever);
+      } catch (...) {  // the window ends without its picture
+      }
+    }
+  };
+  wait();
+  worker_.start([this] {
+    studio_.reset();
+    context_.release_current();
+  });
+  wait();
+}
 
 bool ArenaView::Wanted::same_as(const Wanted& other) const {
   return camera == other.camera && scale.same_as(other.scale) &&
          drawing.rows == other.drawing.rows && drawing.draw == other.drawing.draw &&
-         drawing.quality == other.drawing.quality;
+         drawing.quality == other.drawing.quality && width == other.width &&
+         height == other.height && samples == other.samples;
 }
 
 bool ArenaView::draw(const LitterView& litter, bool fresh, const view::ColorScale& scale, int width,
                      int height, int samples) {
   camera_ = view::framed(camera_, litter.params, static_cast<double>(width) / height);
+  stale_ |= fresh;
   const Wanted wanted{
-      camera_, scale, {.draw = look_.draw, .quality = look_.quality, .rows = height * samples}};
-  const bool new_size = store_.width() != width || store_.height() != height;
-  bool anew = pending_ && finish(new_size || fresh ? kForever : 0);
-  if (!pending_ && (fresh || !begun_ || !wanted.same_as(wanted_))) {
-    begun_ = pending_ = true;
+      camera_, scale,  {.draw = look_.draw, .quality = look_.quality, .rows = height * samples},
+      width,   height, samples};
+  if (!drawing_ && (stale_ || !wanted.same_as(wanted_))) {
     wanted_ = wanted;
-    worker_.start(
-        [this, litter] { next_.update(litter, wanted_.scale, wanted_.camera, wanted_.drawing); });
-    anew |= finish(new_size ? kForever : kPatience);
+    stale_ = false;
+    drawing_ = true;
+    give({.work = [this, litter] { draw_next(litter); },
+          .done = [this] { take_drawn(); },
+          .holds = true});
   }
-  if (!anew && !new_size && samples == drawn_samples_) return false;
-  if (!uploaded_) renderer_.upload(list_);
-  uploaded_ = true;
-  store_.resize(width, height);
-  store_.bind();
-  renderer_.draw(drawn_.camera, {0, 0, width, height}, samples);
-  drawn_samples_ = samples;
-  return true;
+  if (drawing_ && !anew_ && took_ <= kQuick) collect_within(kQuick);
+  return std::exchange(anew_, false);
 }
 
-/// Takes over what is pending when it is done within `patience` seconds.
-bool ArenaView::finish(double patience) {
-  if (!worker_.done_within(patience)) return false;
-  pending_ = false;
+/// On the worker.
+void ArenaView::draw_next(const LitterView& litter) {
+  const double begun = seconds();
+  next_.update(litter, wanted_.scale, wanted_.camera, wanted_.drawing);
+  studio_->renderer.upload(next_);
+  gl::Target& store = studio_->stores[1 - front_];
+  store.resize(wanted_.width, wanted_.height);
+  store.bind();
+  studio_->renderer.draw(wanted_.camera, {0, 0, wanted_.width, wanted_.height}, wanted_.samples);
+  glFinish();  // another context reads it
+  takes_ = seconds() - begun;
+}
+
+void ArenaView::take_drawn() {
   std::swap(list_, next_);
   drawn_ = wanted_;
-  uploaded_ = false;
-  return true;
+  front_ = 1 - front_;
+  shown_.show(studio_->stores[front_].texture(), drawn_.width, drawn_.height);
+  took_ = takes_;
+  drawing_ = false;
+  anew_ = true;
 }
 
-io::Image ArenaView::picture(pictures::Picture& picture, const LiveState& snapshot) {
-  const LitterView litter = snapshot.view();
-  uploaded_ = false;  // from here on the renderer holds what this picture shows
-  return picture.draw(renderer_, litter,
-                      view::framed(camera_, litter.params, picture.scene_aspect()));
+void ArenaView::start(std::function<void(gl::Renderer&)> work, std::function<void()> done) {
+  give({.work = [this, work = std::move(work)] { work(studio_->renderer); },
+        .done = std::move(done),
+        .holds = true});
 }
 
-void ArenaView::write_picture(const std::string& path, const LiveState& snapshot,
-                              const pictures::Look& look, const view::Trails& trails, int width,
-                              int height) {
-  const LitterView litter = snapshot.view();
-  pictures::Picture picture(width, height, true, look);
-  picture.remember(trails);
-  const view::Camera camera = view::framed(camera_, litter.params, picture.scene_aspect());
-  const io::Image image = this->picture(picture, snapshot);
-
-  io::TextEntries extra{{"picture", "live"}, {"step", std::to_string(litter.step)}};
-  const auto add = [&](const io::TextEntries& more) {
-    extra.insert(extra.end(), more.begin(), more.end());
-  };
-  add(pictures::camera_entries(camera));
-  add({{"size", std::to_string(width) + "x" + std::to_string(height)}});
-  if (snapshot.hash) add({{"hash", io::hash_text(*snapshot.hash)}});
-  add(picture.look_entries());
-  io::write_png(path, image, io::provenance(litter.recipe, extra), false,
-                pictures::png_options(look));
+void ArenaView::give(Job job) {
+  if (job.holds) ++pending_;
+  jobs_.push_back(std::move(job));
+  if (jobs_.size() == 1) worker_.start(jobs_.front().work);
 }
 
-std::string picture_path(const std::string& pattern, std::int64_t step) {
-  const std::string first = io::frame_path(pattern.empty() ? kPattern : pattern, step);
-  const std::filesystem::path path(first);
-  std::string candidate = first;
-  for (int number = 2; std::filesystem::exists(candidate); ++number) {
-    candidate = (path.parent_path() / path.stem()).string() + '-' + std::to_string(number) +
-                path.extension().string();
+bool ArenaView::collect_within(double patience) {
+  bool any = false;
+  while (!jobs_.empty() && worker_.done_within(patience)) {
+    const Job job = std::move(jobs_.front());
+    jobs_.pop_front();
+    if (!jobs_.empty()) worker_.start(jobs_.front().work);
+    if (job.holds) --pending_;
+    if (job.done) job.done();
+    any = true;
   }
-  return candidate;
+  return any;
+}
+
+void ArenaView::finish() {
+  while (!jobs_.empty()) collect_within(kForever);
 }
 
 }  // namespace pupflow::window

@@ -1,14 +1,16 @@
-// The arena in its part of the window: the camera that the mouse moves, drawing, pictures.
+// The arena in its part of the window: the camera that the mouse moves, drawing.
 #pragma once
 
+#include <array>
+#include <deque>
 #include <functional>
+#include <optional>
 #include <span>
-#include <string>
 
+#include "app/context/glfw_window.h"
 #include "app/gl/renderer.h"
 #include "app/gl/target.h"
 #include "app/pictures/look.h"
-#include "app/pictures/picture.h"
 #include "app/view/camera.h"
 #include "app/view/draw_list.h"
 #include "app/window/session/session.h"
@@ -16,12 +18,18 @@
 
 namespace pupflow::window {
 
-/// Draws snapshots. A context must be current whenever a function here runs.
+/// Draws snapshots on a thread of its own, in a second context of the window. The window's own must be
+/// current whenever a function here runs. A snapshot must stay as it is while it is `pending`.
 class ArenaView {
  public:
-  /// `notify` is called on another thread when something can be drawn. Throws Failure for shaders
-  /// that cannot be used.
-  ArenaView(const pictures::Look& look, std::function<void()> notify);
+  /// `notify` is called on another thread when there is something to `collect`. Throws
+  /// Failure(no_context).
+  ArenaView(const context::GlfwWindow& window, const pictures::Look& look,
+            std::function<void()> notify);
+  /// Waits for what is under way, and leaves out what stands behind it: see `finish`.
+  ~ArenaView();
+  ArenaView(const ArenaView&) = delete;
+  ArenaView& operator=(const ArenaView&) = delete;
 
   /// Looks through `camera`, the arena filling the picture.
   void look_from(const view::Camera& camera) { camera_ = camera; }
@@ -36,66 +44,74 @@ class ArenaView {
   /// How bodies are drawn from now on.
   void set_look(const pictures::Look& look) { look_ = look; }
 
-  /// The outlines of the bodies that were drawn last.
-  std::span<const view::Ball> bodies() const { return list_.balls(); }
-
-  /// Through which it was drawn.
-  const view::Camera& drawn_camera() const { return drawn_.camera; }
-
-  /// Draws `snapshot` into a store of its own, `width` x `height` pixels with `samples` x `samples`
-  /// samples each in the colors of `scale`, unless it is drawn there already. `fresh` says that the
-  /// snapshot is another one than last time. Returns whether anything was drawn.
-  ///
-  /// What is to be drawn is worked out on another thread. This one waits for kPatience, and without
-  /// end where the store has no picture of that size; when it takes longer, a later call draws it.
-  /// Until then it is `pending`, and the snapshot must stay as it is.
+  /// Has `litter` drawn, `width` x `height` pixels with `samples` x `samples` samples each in the
+  /// colors of `scale`, unless it is drawn so already. `fresh` says that the litter is another one
+  /// than last time. What was drawn quickly last time is waited for; otherwise `collect` brings it.
+  /// Returns whether `shown` is another picture than at the last call.
   bool draw(const LitterView& litter, bool fresh, const view::ColorScale& scale, int width,
             int height, int samples);
-  bool pending() const { return pending_; }
-  /// Whether the next call draws what is pending.
-  bool ready() { return pending_ && !worker_.busy(); }
 
-  /// What was drawn.
-  const gl::Target& store() const { return store_; }
+  /// Has `work` done behind what is under way, where the renderer may be used; then `collect` calls
+  /// `done`. `work` must throw nothing that the window is to survive.
+  void start(std::function<void(gl::Renderer&)> work, std::function<void()> done);
 
-  /// The picture of `snapshot` that `picture` makes from here.
-  io::Image picture(pictures::Picture& picture, const LiveState& snapshot);
+  /// Takes over what is finished; true when there was something. Throws what drawing threw: Failure for
+  /// shaders that cannot be used.
+  bool collect() { return collect_within(0); }
+  /// Returns when nothing is under way any more.
+  void finish();
 
-  /// Writes the picture of `width` x `height` pixels that `pupflow render` would make from here with
-  /// that look and those trails, with the color bar and all that is needed to make it again.
-  /// Overwrites nothing. Throws Failure.
-  void write_picture(const std::string& path, const LiveState& snapshot, const pictures::Look& look,
-                     const view::Trails& trails, int width, int height);
+  /// Whether snapshots are in use.
+  bool pending() const { return pending_ > 0; }
+  /// Whether `shown` is still to become what was asked for last.
+  bool drawing() const { return drawing_; }
+
+  // What was drawn last: the picture, empty before the first one, and what it shows.
+  const gl::SharedPicture& shown() const { return shown_; }
+  std::span<const view::Ball> bodies() const { return list_.balls(); }  // their outlines
+  const view::Camera& drawn_camera() const { return drawn_.camera; }
+  int drawn_samples() const { return drawn_.samples; }
 
  private:
-  static constexpr double kPatience = 0.006;  // seconds
-
   /// What decides how a litter is drawn.
   struct Wanted {
     view::Camera camera;
     view::ColorScale scale;
     view::Drawing drawing;
+    int width = 0, height = 0, samples = 0;
     bool same_as(const Wanted& other) const;
   };
+  /// What lives in the context of the thread that draws.
+  struct Studio {
+    gl::Renderer renderer;
+    std::array<gl::Target, 2> stores;  // shown, and being drawn
+  };
+  struct Job {
+    std::function<void()> work, done;
+    bool holds;  // the snapshot
+  };
 
-  bool finish(double patience);
+  void give(Job job);
+  bool collect_within(double patience);
+  void draw_next(const LitterView& litter);
+  void take_drawn();
 
   pictures::Look look_;  // how bodies are drawn
-  gl::Renderer renderer_;
-  gl::Target store_;
-  view::DrawList list_, next_;  // drawn, and being worked out
+  context::SharedContext context_;
+  std::optional<Studio> studio_;  // of the worker
+  gl::SharedPicture shown_;
+  std::size_t front_ = 0;       // of the stores, the one that is shown
+  view::DrawList list_, next_;  // drawn, and being drawn
   view::Camera camera_ = view::Camera::parse(view::Camera::kUsual);
   Wanted drawn_, wanted_;  // of these two
-  bool pending_ = false;
-  bool begun_ = false;     // something was wanted
-  bool uploaded_ = false;  // the renderer holds list_
-  int drawn_samples_ = 0;
-  Worker worker_;  // last: it uses next_
+  bool drawing_ = false;   // `next_` is under way
+  bool stale_ = true;      // a litter has come since `wanted_`
+  bool anew_ = false;      // `shown_` is another picture since the last `draw`
+  double takes_ = 0;       // seconds that drawing `next_` took; the worker's
+  double took_ = 1;        // and drawing `list_`
+  int pending_ = 0;
+  std::deque<Job> jobs_;  // the first one is under way
+  Worker worker_;         // last: it uses the others
 };
-
-/// Where the next picture goes: `pattern` (with %d or %05d for the step; empty: pupflow-%05d.png)
-/// with the step filled in, and -2, -3 ... added before the ending until no such file exists.
-/// Throws Failure(bad_input) for a bad pattern.
-std::string picture_path(const std::string& pattern, std::int64_t step);
 
 }  // namespace pupflow::window

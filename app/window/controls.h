@@ -8,6 +8,7 @@
 
 #include "app/pictures/look.h"
 #include "app/window/key_map.h"
+#include "app/window/picture_size.h"
 #include "app/window/session/session.h"
 
 namespace pupflow::window {
@@ -35,12 +36,15 @@ struct Controls {
   pictures::Look look;
   std::optional<int> selected;                // a pup, by its number
   CameraMode camera_mode = CameraMode::free;  // others than free only while a pup is selected
-  Watch inspected;      // what the inspector shows; nothing while it is closed
-  Watch watched;        // what the runner was asked to record
-  bool panels = true;   // beside the arena
-  bool drawer = false;  // the panel over the arena, in a window that is
-  bool narrow = false;  // too narrow for panels beside it
+  Watch inspected;               // what the inspector shows; nothing while it is closed
+  Watch watched;                 // what the runner was asked to record
+  bool panels = true;            // beside the arena
+  bool drawer = false;           // the panel over the arena, in a window that is
+  bool narrow = false;           // too narrow for panels beside it
+  bool colors_in_strip = false;  // the lists of the colors stand beside the arena
   bool help = false;
+  PictureSize picture_size;              // of pictures and films
+  PixelSize seen_size;                   // of the arena with its legend
   std::optional<double> filmed;          // seconds of the film so far, while there is one
   std::vector<std::string> recent;       // files, the last one first
   std::string open;                      // a shipped scene or a file to open now; empty: none
@@ -52,6 +56,8 @@ struct Controls {
 
   std::string message;                // to be shown over the arena for a while
   std::optional<StepRange> save_csv;  // steps to be saved as CSV
+
+  double wake_in = 0;  // seconds after which a frame is needed; 0: never
 
   std::vector<Command> commands;  // for the runner
   std::vector<Action> actions;    // as if their keys had been pressed

@@ -7,16 +7,10 @@
 #include "app/io/failure.h"
 #include "app/io/provenance.h"
 #include "app/io/text.h"
-#include "app/pictures/render.h"
-#include "app/window/arena_view.h"
+#include "app/window/picture_path.h"
 
 namespace pupflow::window {
 namespace {
-
-const pictures::RenderJob& usual() {
-  static const pictures::RenderJob job;
-  return job;
-}
 
 /// What is known before the first frame: what is changed while it is filmed is not.
 io::TextEntries text_of(const LitterView& start, const pictures::Look& look,
@@ -39,35 +33,39 @@ std::int64_t steps_between(double speed, double dt) {
 
 }  // namespace
 
-Film::Film(const std::string& path, const LitterView& start, const pictures::Look& look,
-           const view::Camera& camera, double speed)
+Film::Film(const std::string& path, const LitterView& start, SeenPicture picture,
+           const pictures::Look& look, const view::Camera& camera, double speed,
+           std::function<void()> notify)
     : path_(path),
-      picture_(usual().width, usual().height, true, look),
+      picture_(std::move(picture)),
       every_(steps_between(speed, start.params.dt)),
       next_(start.step),
-      last_(start.step) {
+      last_(start.step),
+      thread_(std::move(notify)) {
   if (!io::has_ffmpeg()) {
     io::refuse("no film: ffmpeg is not installed (Debian and Ubuntu: apt install ffmpeg)");
   }
-  movie_.emplace(path, io::MovieFile::Options{.width = usual().width,
-                                              .height = usual().height,
+  movie_.emplace(path, io::MovieFile::Options{.width = picture_.size().width,
+                                              .height = picture_.size().height,
                                               .fps = kFps,
                                               .text = text_of(start, look, camera, every_)});
 }
 
 void Film::add(io::Image frame, std::int64_t step) {
-  if (pending_) thread_.wait(*std::exchange(pending_, {}));
   frame_ = std::move(frame);
-  pending_ = thread_.run([this] { movie_->add(frame_); });
+  thread_.start([this] { movie_->add(frame_); });
   last_ = step;
   next_ = step + every_;
   ++frames_;
 }
 
-std::string Film::finish() {
-  if (pending_) thread_.wait(*std::exchange(pending_, {}));
-  movie_->finish();
-  return path_;
+void Film::finish() {
+  wait();
+  thread_.start([this] { movie_->finish(); });
+}
+
+void Film::wait() {
+  while (!thread_.done_within(1)) continue;
 }
 
 std::string film_path(std::int64_t step) {

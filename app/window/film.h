@@ -2,30 +2,33 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
-#include "app/io/background.h"
 #include "app/io/movie.h"
 #include "app/pictures/look.h"
-#include "app/pictures/picture.h"
 #include "app/view/camera.h"
+#include "app/window/seen_picture.h"
+#include "app/window/session/worker.h"
 
 namespace pupflow::window {
 
-/// Writes frames of the usual picture's size to an MP4 file. It says which step the next frame is of:
+/// Writes frames, all of the size of `picture`, to an MP4 file. It says which step the next frame is of:
 /// whoever steps the litter stops there until the frame is taken, so that none is left out.
 class Film {
  public:
   static constexpr int kFps = 25;
 
-  /// Begins with the litter as `start` shows it. `speed`: seconds of the model in a second of the
-  /// film. Throws Failure: bad_input without ffmpeg, with what to install; bad_file.
-  Film(const std::string& path, const LitterView& start, const pictures::Look& look,
-       const view::Camera& camera, double speed);
+  /// Begins with the litter as `start` shows it. `picture` paints the frames. `speed`: seconds of the model in a second of the
+  /// film. `notify` is called on another thread whenever a frame is written. Throws Failure: bad_input
+  /// without ffmpeg, with what to install; bad_file.
+  Film(const std::string& path, const LitterView& start, SeenPicture picture,
+       const pictures::Look& look, const view::Camera& camera, double speed,
+       std::function<void()> notify);
 
   /// Paints its frames.
-  pictures::Picture& picture() { return picture_; }
+  SeenPicture& picture() { return picture_; }
 
   /// Steps from one frame to the next, and that of the next frame.
   std::int64_t every() const { return every_; }
@@ -34,24 +37,30 @@ class Film {
   /// Whether a litter at rest after `step` is due: it has come so far, or was taken back.
   bool due(std::int64_t step) const { return step >= next_ || step < last_; }
 
-  /// Takes the frame after `step`; it is written while the next one is made. Throws Failure.
+  /// Takes the frame after `step`; the one before must be written.
   void add(io::Image frame, std::int64_t step);
+
+  /// Whether all that was taken is written. Throws Failure when it cannot be.
+  bool written() { return thread_.done_within(0); }
 
   int frames() const { return frames_; }
   double seconds() const { return static_cast<double>(frames_) / kFps; }
 
-  /// Puts the film in its place and returns its path. Once, last. Throws Failure.
-  std::string finish();
+  /// Ends it. When it is `written`, the film is in its place. Waits for the last frame. Throws Failure.
+  void finish();
+  const std::string& path() const { return path_; }
+
+  /// Returns when all is written. Throws Failure.
+  void wait();
 
  private:
   std::string path_;
-  pictures::Picture picture_;
+  SeenPicture picture_;
   std::int64_t every_, next_, last_;
   int frames_ = 0;
   io::Image frame_;
   std::optional<io::MovieFile> movie_;
-  std::optional<io::Background::Ticket> pending_;
-  io::Background thread_;  // last: it uses the others
+  Worker thread_;  // last: it uses the others
 };
 
 /// Where the next film goes: pupflow-STEP.mp4, with -2, -3 ... where that is taken.

@@ -8,7 +8,7 @@
 #include "app/io/csv.h"
 #include "app/io/provenance.h"
 #include "app/io/text.h"
-#include "app/window/arena_view.h"
+#include "app/window/picture_path.h"
 
 namespace pupflow::window {
 namespace {

@@ -5,6 +5,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <cstdint>
+
 namespace pupflow::window {
 
 // Since 1.92 a font has no size of its own: sizes are given where text is drawn, and the renderer
@@ -71,6 +73,15 @@ constexpr auto kKeepsPopups = ImGuiSelectableFlags_NoAutoClosePopups;
 #else
 constexpr auto kKeepsPopups = ImGuiSelectableFlags_DontClosePopups;
 #endif
+
+/// An OpenGL texture as images take it.
+inline ImTextureID texture_id(unsigned texture) {
+#if IMGUI_VERSION_NUM >= 19140
+  return static_cast<ImTextureID>(texture);
+#else
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+#endif
+}
 
 /// Shows which widget keys move from and press.
 inline void show_key_cursor() {

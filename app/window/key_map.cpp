@@ -154,7 +154,7 @@ constexpr std::array kMouse{
     MouseRow{"Right or middle drag, Shift + left drag", "move the view"},
     MouseRow{"Wheel", "nearer or further, towards the cursor"},
     MouseRow{"Minimise the window", "the run goes on, unless Run > pause when minimised"},
-    MouseRow{"Click on a number, Ctrl + click on its slider",
+    MouseRow{"Click on a number, double click or Ctrl + click on its slider",
              "type it, also beyond the slider's ends; a comma is a decimal point"},
     MouseRow{"Right click on a parameter, or click on its title",
              "its default, the scene's value, a ramp"},

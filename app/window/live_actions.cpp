@@ -83,7 +83,9 @@ void LiveWindow::key(int code, int mods, bool repeated) {
     if (code == GLFW_KEY_ENTER || code == GLFW_KEY_KP_ENTER) dialogs_.accept();
     return;
   }
-  if (text_has_keyboard() || panels_take(code)) return;
+  const bool enter = code == GLFW_KEY_ENTER || code == GLFW_KEY_KP_ENTER;
+  if (text_has_keyboard() && !std::exchange(typing_ends_, typing_ends_ || enter)) return;
+  if (panels_take(code)) return;
   if (const auto action = action_for(code, mods, repeated)) controls_.actions.push_back(*action);
 }
 
@@ -247,22 +249,6 @@ void LiveWindow::close_front() {
   }
 }
 
-void LiveWindow::take_picture() {
-  const LiveState& snapshot = runner_.snapshot();
-  try {
-    const std::string path = picture_path(job_.screenshot, snapshot.view().step);
-    pictures::Look look = controls_.look;
-    look.scale = scale_;
-    const auto side = [](int pixels) { return std::max(pixels, pictures::kSmallestSide); };
-    arena_.write_picture(path, snapshot, look, marks_.trails(), side(picture_width_),
-                         side(picture_height_));
-    events_.screenshot(path);
-    show("saved " + path);
-  } catch (const io::Failure& failure) {
-    show(failure.what());  // a full disk does not end the run
-  }
-}
-
 void LiveWindow::save_csv(StepRange steps) {
   try {
     const std::string path = save_history_csv(job_.screenshot, runner_.snapshot(), steps);
@@ -273,9 +259,14 @@ void LiveWindow::save_csv(StepRange steps) {
   }
 }
 
+/// As long as it takes to read.
 void LiveWindow::show(const std::string& message) {
+  constexpr double kOfCharacter = 0.06, kLongest = 12;  // seconds
   message_ = message;
-  schedule_.message_shown(glfwGetTime());
+  const double reading = kOfCharacter * static_cast<double>(message.size());
+  schedule_.message_shown(glfwGetTime(),
+                          std::clamp(reading, RedrawSchedule::kMessageSeconds, kLongest));
+  schedule_.event();  // its box takes a frame to fit
 }
 
 }  // namespace pupflow::window

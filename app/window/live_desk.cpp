@@ -45,7 +45,8 @@ void LiveWindow::desk_frame(const PanelInput& input) {
   if (!controls_.open.empty()) {
     open(std::exchange(controls_.open, {}));
   }
-  if (const auto given = dialogs_.draw(input)) answer(*given);
+  if (auto given = dialogs_.draw(input)) wait_with(std::move(*given));
+  carry_out_answer();
   if (dialogs_.shown()) schedule_.panels_changed();
   show_title();
   keep_settings();
@@ -60,11 +61,7 @@ void LiveWindow::desk_action(Action action) {
       dialogs_.ask_open(folder_of(desk_.path()));
       break;
     case Action::save:
-      if (desk_.path().empty()) {
-        ask_for_name();
-      } else {
-        save_as(desk_.path());
-      }
+      wait_with({Dialogs::Answer::Kind::save, {}});
       break;
     case Action::save_as:
       ask_for_name();
@@ -102,6 +99,23 @@ void LiveWindow::ask_before(const std::string& what, std::function<void()> next)
   }
   next_ = std::move(next);
   dialogs_.ask_keep(desk_.title(), what);
+}
+
+void LiveWindow::wait_with(Dialogs::Answer answer) {
+  waiting_ = std::move(answer);
+  waiting_since_ = glfwGetTime();
+}
+
+/// As soon as the runner has taken all that was set; or after kPatience, to say that it has not.
+void LiveWindow::carry_out_answer() {
+  constexpr double kPatience = 2;  // seconds
+  if (!waiting_) return;
+  const double end = waiting_since_ + kPatience;
+  if (edits_on_their_way() && glfwGetTime() < end) {
+    schedule_.wake_at(end);
+  } else {
+    answer(*std::exchange(waiting_, {}));
+  }
 }
 
 void LiveWindow::answer(const Dialogs::Answer& answer) {
@@ -181,7 +195,8 @@ void LiveWindow::take(const Opened& opened) {
   controls_.problem.clear();
   controls_.commands.push_back(Open{opened.params, opened.from});
   events_.note("opened", opened.source);
-  show("opened " + opened.title);
+  show(opened.description.empty() ? "opened " + opened.title
+                                  : opened.title + ": " + opened.description);
 }
 
 void LiveWindow::open_dropped(const std::string& path) {

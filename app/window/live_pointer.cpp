@@ -15,19 +15,29 @@ view::Ray LiveWindow::sight_at_mouse(const Area& arena) const {
                      share(mouse.y, arena.corner.y, arena.size.y));
 }
 
-/// A click without a drag selects, a double click follows, Ctrl + drag pulls.
-void LiveWindow::point_at_pups(const Area& arena) {
+/// Whether the mouse is in the second arena, or still pulls there.
+bool LiveWindow::at_second(const ArenaAreas& arenas) const {
+  if (!arenas.second) return false;
+  return pulled_ ? pulled_->second : arenas.second->holds(ImGui::GetIO().MousePos);
+}
+
+/// A click without a drag selects, a double click follows, Ctrl + drag pulls: the pup of that number
+/// in both litters.
+void LiveWindow::point_at_pups(const ArenaAreas& arenas) {
   const ImGuiIO& io = ImGui::GetIO();
   const float still = kStillPixels * gui_->scale();
+  const bool second = at_second(arenas);
+  const Area& arena = second ? *arenas.second : arenas.first;
+  const LiveState& state = runner_.snapshot();
   const auto under_mouse = [&] {
-    return view::pick(runner_.snapshot().view(), sight_at_mouse(arena));
+    return view::pick(second ? state.second->view() : state.view(), sight_at_mouse(arena));
   };
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     pressed_arena_ = !io.WantCaptureMouse && arena.holds(io.MousePos) && !io.KeyShift;
     if (!pressed_arena_) return;
     if (io.KeyCtrl) {
       pressed_arena_ = false;
-      if (const auto pup = under_mouse()) begin_pull(*pup);
+      if (const auto pup = under_mouse()) begin_pull(*pup, second);
     } else if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
       pressed_arena_ = false;
       if (const auto pup = under_mouse()) controls_.show(*pup);
@@ -46,11 +56,12 @@ void LiveWindow::point_at_pups(const Area& arena) {
 }
 
 /// The pup stays as far from the eye as it was.
-void LiveWindow::begin_pull(int pup) {
-  const auto middle = middle_of(runner_.snapshot().view(), pup);
+void LiveWindow::begin_pull(int pup, bool second) {
+  const LiveState& state = runner_.snapshot();
+  const auto middle = middle_of(second ? state.second->view() : state.view(), pup);
   if (!middle) return;
   controls_.select(pup);
-  pulled_ = Pulled{pup, *middle};
+  pulled_ = Pulled{pup, second, *middle, *middle};
 }
 
 void LiveWindow::pull(const Area& arena) {
@@ -60,6 +71,7 @@ void LiveWindow::pull(const Area& arena) {
   if (slope == 0) return;
   const Eigen::Vector3d target =
       ray.from + (pulled_->middle - ray.from).dot(across) / slope * ray.along;
+  pulled_->target = target;
   controls_.commands.push_back(Pull{pulled_->pup, {target.x(), target.y(), target.z()}});
 }
 
@@ -79,11 +91,15 @@ void LiveWindow::lead_camera(double now) {
   events_.selected(controls_.selected, controls_.camera_mode);
 }
 
-/// Nobody sees a mark on himself.
-view::Marks LiveWindow::selection_marks() const {
+/// Of what the mouse does to pups. Nobody sees a mark on himself.
+view::Marks LiveWindow::marks_of(const LitterView& litter, const view::Camera& camera) const {
   view::Marks marks;
-  if (controls_.selected && controls_.camera_mode != CameraMode::eye) {
-    mark_pup(runner_.snapshot().view(), *controls_.selected, arena_.camera(), marks);
+  if (pulled_ && pulled_->pup < litter.pups) {
+    mark_pull(litter, pulled_->pup, pulled_->target, marks);
+  }
+  const std::optional<int> selected = controls_.selected;
+  if (selected && *selected < litter.pups && controls_.camera_mode != CameraMode::eye) {
+    mark_pup(litter, *selected, camera, marks);
   }
   return marks;
 }

@@ -6,14 +6,23 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <utility>
 
 #include "app/gl/load.h"
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
+#include "app/io/text.h"
 #include "app/window/panels/overlays.h"
+#include "app/window/picture_path.h"
 
 namespace pupflow::window {
 namespace {
+
+/// Where no scene says what is seen.
+constexpr const char* kWelcome =
+    "Pups that are cold turn to where it is warm, and huddle. Make the air colder or warmer with "
+    "T\u2090; "
+    "drag the arena to turn it; click on a pup to look into it. F1 has the keys.";
 
 bool drawn_by_processor() {
   const std::string name = gl::renderer_name();
@@ -26,8 +35,9 @@ bool drawn_by_processor() {
 LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     : job_(job),
       window_({.title = "pupflow", .width = job.width, .height = job.height}),
+      covering_(window_.handle()),
       painter_(window_, drawn_by_processor()),
-      arena_(job.look, glfwPostEmptyEvent),
+      arena_(window_, job.look, glfwPostEmptyEvent),
       events_(job.test_events),
       runner_({.params = job.params,
                .from = job.from,
@@ -56,19 +66,28 @@ LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
     std::cerr << "OpenGL: " << window_.name() << ", " << gl::renderer_name() << ", "
               << gl::version_text() << '\n';
   }
+  show(desk_.description().empty() ? kWelcome : desk_.title() + ": " + desk_.description());
 }
 
 void LiveWindow::run() {
   while (!closing()) {
     wait_for_events();
-    if (io::interrupted()) throw io::Failure(io::ExitCode::interrupted, "interrupted");
+    if (io::interrupted()) {
+      throw io::Failure(io::ExitCode::interrupted,
+                        film_ || ended_film_ ? "interrupted; no film was written" : "interrupted");
+    }
     const double now = glfwGetTime();
     follow_visibility();
+    const bool drawn = arena_.collect(), second_drawn = second_ && second_->view.collect();
+    if (drawn || second_drawn) schedule_.panels_changed();
     exchange_snapshots(now);
-    if (arena_.ready() || (second_ && second_->view.ready())) schedule_.panels_changed();
+    feed_film();
+    if (runner_.busy_for() > kLongStep) schedule_.panels_changed();
     if (schedule_.frame_due(now)) frame(now);
   }
+  arena_.finish();
   end_film();
+  settle_ended_film(true);
   keep_settings();
   events_.closed();
 }
@@ -90,12 +109,16 @@ void LiveWindow::wait_for_events() {
 }
 
 void LiveWindow::follow_visibility() {
-  const bool visible = glfwGetWindowAttrib(window_.handle(), GLFW_VISIBLE) == GLFW_TRUE &&
-                       glfwGetWindowAttrib(window_.handle(), GLFW_ICONIFIED) == GLFW_FALSE;
+  const bool shown = glfwGetWindowAttrib(window_.handle(), GLFW_VISIBLE) == GLFW_TRUE &&
+                     glfwGetWindowAttrib(window_.handle(), GLFW_ICONIFIED) == GLFW_FALSE;
+  if (suspended_ != (!shown && controls_.pause_minimised)) {
+    suspended_ = !suspended_;
+    runner_.send(Suspend{suspended_});
+  }
+  const bool visible = shown && !covering_.whole();
   if (visible == schedule_.visible()) return;
   schedule_.set_visible(visible);
   events_.visible(visible);
-  runner_.send(Suspend{!visible && controls_.pause_minimised});
 }
 
 void LiveWindow::exchange_snapshots(double now) {
@@ -115,6 +138,7 @@ void LiveWindow::exchange_snapshots(double now) {
 void LiveWindow::frame(double now) {
   schedule_.begin_frame(now);
   gui_->begin_frame();
+  typing_ends_ = false;
   const ImGuiIO& io = ImGui::GetIO();
   const Layout layout = lay_out();
   const LiveState& snapshot = runner_.snapshot();
@@ -124,25 +148,30 @@ void LiveWindow::frame(double now) {
   panels_.draw(layout, input);
   fit_scale();
   legend_.draw(layout.bar, scale_, input);
-  if (schedule_.shows_message()) draw_message(layout.arena, message_);
+  if (schedule_.shows_message()) {
+    draw_message(layout.arena, message_);
+  } else if (const double busy = runner_.busy_for(); busy > kLongStep) {
+    draw_message(layout.arena, io::formatted("one step or change takes long: %.0f s so far", busy));
+  }
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
+  if (const double rest = std::exchange(controls_.wake_in, 0); rest > 0) {
+    schedule_.wake_at(now + rest);
+  }
   events_.tip(tips_.shown());
   events_.text(text_has_keyboard());
   events_.area("arena", layout.arena);
   const ArenaAreas arenas = split_arena(layout.arena, snapshot.second.has_value());
-  point_at_pups(arenas.first);
+  point_at_pups(arenas);
   events_.problem(controls_.problem_at, controls_.problem);
-  move_camera(arenas.second && arenas.second->holds(io.MousePos) ? *arenas.second : arenas.first,
-              now);
+  move_camera(at_second(arenas) ? *arenas.second : arenas.first, now);
   desk_frame(input);
   lead_camera(now);
   controls_.watch();
   const DrawnArenas drawn = draw_arenas(arenas);
   const PixelBox seen = pixels_of(
-      {arenas.first.corner, {arenas.first.size.x + layout.bar.size.x, arenas.first.size.y}});
-  picture_width_ = seen.width();
-  picture_height_ = seen.height();
+      {layout.arena.corner, {layout.arena.size.x + layout.bar.size.x, layout.arena.size.y}});
+  controls_.seen_size = {seen.width(), seen.height()};
   gui_->end_frame();
 
   carry_out(now);

@@ -61,9 +61,10 @@ void Painter::paint(Gui& gui, std::span<const Image> images, bool new_images, vi
     for (const PixelBox& box : boxes) {
       const PixelBox part = common(box, image.place);
       if (part.empty()) continue;
-      image.store->copy_to(0, part.left, height - part.bottom,
-                           {part.left - image.place.left, image.place.bottom - part.bottom,
-                            part.width(), part.height()});
+      const int left = image.left + part.left - image.place.left;
+      const int bottom = image.top + part.bottom - image.place.top;
+      image.picture->copy_to(0, part.left, height - part.bottom,
+                             {left, image.picture->height() - bottom, part.width(), part.height()});
     }
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

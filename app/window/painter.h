@@ -19,17 +19,18 @@ namespace pupflow::window {
 /// painted whole.
 class Painter {
  public:
-  /// A picture below the panels, drawn already.
+  /// A part of a picture below the panels, drawn already.
   struct Image {
-    const gl::Target* store;
-    PixelBox place;  // as large as the store
+    const gl::SharedPicture* picture;
+    PixelBox place;
+    int left = 0, top = 0;  // of the part in the picture
   };
 
   /// `slow_gl`: the processor draws.
   Painter(const context::GlfwWindow& window, bool slow_gl);
 
   /// Shows `images` on `paper` and over them the frame that `gui` has just ended. `new_images`: the
-  /// stores' pixels are not those of the last call.
+  /// pictures are not those of the last call.
   void paint(Gui& gui, std::span<const Image> images, bool new_images, view::Rgb paper);
 
   /// Whether what was shown last must be painted again: the window had just got another size.

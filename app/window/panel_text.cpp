@@ -7,29 +7,50 @@
 
 namespace pupflow::window {
 
-float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
-                     std::string_view text) {
-  const float ratio = font_scale();
-  const float drop = 0.32f * pixel_size(*fonts.text) * ratio;
-  float x = place.x;
-  const auto draw = [&](ImFont* font, float y, std::string_view part) {
-    const float size = pixel_size(*font) * ratio;
-    list.AddText(font, size, {x, y}, color, part.data(), part.data() + part.size());
-    x += font->CalcTextSizeA(size, FLT_MAX, 0, part.data(), part.data() + part.size()).x;
-  };
+namespace {
+
+/// Calls `run(font, is_subscript, part)` for each run of rich text.
+template <class Run>
+void for_each_run(const Fonts& fonts, std::string_view text, const Run& run) {
   while (!text.empty()) {
     const std::size_t mark = std::min(text.find('_'), text.size());
-    draw(fonts.text, place.y, text.substr(0, mark));
+    run(*fonts.text, false, text.substr(0, mark));
     text.remove_prefix(mark);
     if (text.empty()) break;
     text.remove_prefix(1);
     const auto end = std::find_if_not(text.begin(), text.end(),
                                       [](unsigned char c) { return std::isalnum(c) != 0; });
     const auto length = static_cast<std::size_t>(end - text.begin());
-    draw(fonts.small, place.y + drop, text.substr(0, length));
+    run(*fonts.small, true, text.substr(0, length));
     text.remove_prefix(length);
   }
+}
+
+float width_of_run(ImFont& font, std::string_view part) {
+  const float size = pixel_size(font) * font_scale();
+  return font.CalcTextSizeA(size, FLT_MAX, 0, part.data(), part.data() + part.size()).x;
+}
+
+}  // namespace
+
+float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
+                     std::string_view text) {
+  const float drop = 0.32f * pixel_size(*fonts.text) * font_scale();
+  float x = place.x;
+  for_each_run(fonts, text, [&](ImFont& font, bool subscript, std::string_view part) {
+    list.AddText(&font, pixel_size(font) * font_scale(), {x, place.y + (subscript ? drop : 0)},
+                 color, part.data(), part.data() + part.size());
+    x += width_of_run(font, part);
+  });
   return x - place.x;
+}
+
+float rich_text_width(const Fonts& fonts, std::string_view text) {
+  float width = 0;
+  for_each_run(fonts, text, [&](ImFont& font, bool, std::string_view part) {
+    width += width_of_run(font, part);
+  });
+  return width;
 }
 
 void rich_text(const Fonts& fonts, ImU32 color, std::string_view text) {

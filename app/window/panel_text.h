@@ -15,6 +15,9 @@ namespace pupflow::window {
 float draw_rich_text(ImDrawList& list, const Fonts& fonts, ImVec2 place, ImU32 color,
                      std::string_view text);
 
+/// The width that it would have.
+float rich_text_width(const Fonts& fonts, std::string_view text);
+
 /// The same as an item in the layout.
 void rich_text(const Fonts& fonts, ImU32 color, std::string_view text);
 

@@ -1,6 +1,7 @@
 #include "app/window/pup_values.h"
 
 #include <map>
+#include <utility>
 
 namespace pupflow::window {
 namespace {
@@ -73,11 +74,25 @@ void PupCurves::add(const LitterView& litter, int pup) {
   if (pup_ != pup) samples_.clear();
   pup_ = pup;
   while (!samples_.empty() && samples_.back().step >= litter.step) samples_.pop_back();
+  if (samples_.empty()) gap_ = 1;
+  const std::size_t size = samples_.size();
+  if (size > 1 && samples_[size - 1].step - samples_[size - 2].step < gap_) samples_.pop_back();
   Sample& sample = samples_.emplace_back(Sample{litter.step, litter.time, {}});
   for (const LitterField& field : pup_fields()) {
     sample.values.push_back(values_of(field, litter, pup).front());
   }
-  if (samples_.size() > kSamples) samples_.pop_front();
+  if (samples_.size() > kSamples) thin_out();
+}
+
+/// The first one stays, and the last one.
+void PupCurves::thin_out() {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i + 1 < samples_.size(); i += 2) {
+    samples_[kept++] = std::move(samples_[i]);
+  }
+  samples_[kept++] = std::move(samples_.back());
+  samples_.resize(kept);
+  gap_ = 2 * (samples_.back().step - samples_.front().step) / static_cast<std::int64_t>(kSamples);
 }
 
 Watch recorded_for(const LitterField& map) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -23,10 +22,11 @@ struct Touch {
 };
 std::vector<Touch> touched_by(const LitterView& litter, int pup);
 
-/// All fields of one pup over the last kSamples snapshots.
+/// All fields of one pup since it is watched. At most kSamples snapshots are kept; then every other
+/// one goes, and those to come lie as far apart.
 class PupCurves {
  public:
-  static constexpr std::size_t kSamples = 300;
+  static constexpr std::size_t kSamples = 600;
   struct Sample {
     std::int64_t step;
     double time;
@@ -37,11 +37,14 @@ class PupCurves {
   /// in is forgotten. The last sample is always of `litter`.
   void add(const LitterView& litter, int pup);
 
-  const std::deque<Sample>& samples() const { return samples_; }
+  const std::vector<Sample>& samples() const { return samples_; }
 
  private:
+  void thin_out();
+
   std::optional<int> pup_;
-  std::deque<Sample> samples_;
+  std::int64_t gap_ = 1;  // steps between samples, at least, but for the last one
+  std::vector<Sample> samples_;
 };
 
 /// What steps must record for all fields of pups, and for `map`, a field of the afferents.

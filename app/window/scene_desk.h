@@ -43,6 +43,7 @@ class SceneDesk {
 
   /// The scene's name, for people, and one for the file that it may be saved to.
   std::string title() const { return title_.empty() ? "untitled" : title_; }
+  const std::string& description() const { return description_; }
   std::string file_name() const;
 
   /// The file that it can be saved to again; empty: none yet.

@@ -63,6 +63,15 @@ void mark_pup(const LitterView& litter, int pup, const view::Camera& camera, vie
   marks.marks.emplace_back(view::Label{above, {{std::to_string(pup)}}, 22, ink});
 }
 
+void mark_pull(const LitterView& litter, int pup, const Eigen::Vector3d& target,
+               view::Marks& marks) {
+  const auto middle = middle_of(litter, pup);
+  if (!middle) return;
+  marks.marks.emplace_back(view::Segment{*middle, target, 6, {{255, 255, 255}}});
+  marks.marks.emplace_back(view::Segment{*middle, target, 3, {{190, 110, 20}}});
+  marks.marks.emplace_back(view::Segment{target, target, 12, {{190, 110, 20}}});
+}
+
 view::Camera eye_of(const LitterView& litter, int pup) {
   constexpr double kBefore = 1.05;  // of the way from the middle to the front
   const Params& params = litter.params;

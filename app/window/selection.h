@@ -20,6 +20,10 @@ std::optional<Eigen::Vector3d> middle_of(const LitterView& litter, int pup);
 /// Adds a ring round a pup as `camera` sees it, and its number.
 void mark_pup(const LitterView& litter, int pup, const view::Camera& camera, view::Marks& marks);
 
+/// Adds a line from a pup to where it is pulled.
+void mark_pull(const LitterView& litter, int pup, const Eigen::Vector3d& target,
+               view::Marks& marks);
+
 /// A camera that looks along a pup's heading from in front of its body.
 view::Camera eye_of(const LitterView& litter, int pup);
 

@@ -82,14 +82,24 @@ void TestEvents::forget_widgets() {
   }
 }
 
+void TestEvents::say_changes(const char* kind, std::optional<Params>& said,
+                             const Params& now) const {
+  for (const Parameter& parameter : parameters()) {
+    if (said && parameter.get(*said) == parameter.get(now)) continue;
+    say(kind + std::string(parameter.name) + ' ' + format_value(parameter, now));
+  }
+  said = now;
+}
+
+void TestEvents::shown(const Params& panels, const Params& arena) {
+  if (!on_) return;
+  say_changes("panels ", panels_, panels);
+  say_changes("arena ", arena_, arena);
+}
+
 void TestEvents::snapshot(const LiveState& snapshot) {
   if (!on_) return;
-  for (const Parameter& parameter : parameters()) {
-    if (params_ && parameter.get(*params_) == parameter.get(snapshot.view().params)) continue;
-    say("value " + std::string(parameter.name) + ' ' +
-        format_value(parameter, snapshot.view().params));
-  }
-  params_ = snapshot.view().params;
+  say_changes("value ", params_, snapshot.view().params);
   if (playing_ != snapshot.playing) {
     say(snapshot.playing ? "state playing" : "state paused");
     step_ = -1;  // the step at which it stopped is said after that
@@ -181,7 +191,7 @@ void TestEvents::note(const std::string& kind, const std::string& text) {
 void TestEvents::frame(int samples) {
   ++frames_;
   if (on_) forget_widgets();
-  if (on_ && samples_ != samples) say("samples " + std::to_string(samples));
+  if (on_ && samples != 0 && samples_ != samples) say("samples " + std::to_string(samples));
   samples_ = samples;
 }
 

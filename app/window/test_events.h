@@ -21,6 +21,8 @@ namespace pupflow::window {
 ///                         there is more to see by scrolling
 ///   gone NAME             that widget cannot be seen any more
 ///   value NAME VALUE      a parameter as the simulation has taken it, when it changes
+///   panels NAME VALUE     the panels on the screen show that value of a parameter, when it changes
+///   arena NAME VALUE      and so does the arena: its litter has that value
 ///   problem FIELD WHY     a value was not taken; without both: that is over
 ///   speed FACTOR          the speed that was asked for, when it changes
 ///   second DIFFERENCE     what differs in the litter beside this one, or none
@@ -68,7 +70,10 @@ class TestEvents {
   void screenshot(const std::string& path);
   /// The line "KIND TEXT", when the text changes.
   void note(const std::string& kind, const std::string& text);
-  /// A frame is on the screen.
+  /// What a frame that is on the screen shows: the parameters of the panels, and of the litter.
+  void shown(const Params& panels, const Params& arena);
+
+  /// A frame is on the screen, its arena with so many samples; 0: without an arena.
   void frame(int samples);
   void closed() const;
 
@@ -78,6 +83,7 @@ class TestEvents {
   void say(const std::string& line) const;
   void widget_line(std::string_view name, const std::string& line);
   void forget_widgets();
+  void say_changes(const char* kind, std::optional<Params>& said, const Params& now) const;
 
   bool on_;
   struct Widget {
@@ -87,7 +93,7 @@ class TestEvents {
   std::string tip_ = "tip none";
   std::map<std::string, Widget> widgets_;
   std::map<std::string, std::string> notes_;
-  std::optional<Params> params_;
+  std::optional<Params> params_, panels_, arena_;
   std::string problem_, second_ = "none";
   double speed_ = 1;
   std::optional<bool> playing_, help_, text_;

@@ -160,15 +160,15 @@ void apply_theme(Theme theme, float scale) {
   ImGuiStyle style;
   set_colors(theme, style);
   style.WindowPadding = {12, 12};
-  style.FramePadding = {7, 3};
+  style.FramePadding = {8, 5};
   style.ItemSpacing = {7, 5};
   style.ItemInnerSpacing = {6, 4};
-  style.CellPadding = {4, 2};
+  style.CellPadding = {4, 1};
   style.FrameRounding = 4;
   style.GrabRounding = 3;
   style.PopupRounding = 5;
   style.WindowRounding = 6;
-  style.ScrollbarSize = 11;
+  style.ScrollbarSize = 12;
   style.ScrollbarRounding = 6;
   style.GrabMinSize = 11;
   style.WindowBorderSize = 1;

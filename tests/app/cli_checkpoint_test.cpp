@@ -102,7 +102,7 @@ TEST_F(CliCheckpoint, IsTheLastStateWhereTheRunEnds) {
   EXPECT_EQ(io::read_checkpoint(scratch_.path("c.h5")).step, 25);
   const test::Outcome alone = run(small({"--steps", "5", "--checkpoint-every", "10"}));
   EXPECT_EQ(alone.code, 2);
-  EXPECT_THAT(alone.err, HasSubstr("--checkpoint-every needs --checkpoint"));
+  EXPECT_THAT(alone.err, HasSubstr("--checkpoint-every: has no effect without --checkpoint"));
   for (const char* number : {"0", "-1", "x", ""}) {
     EXPECT_EQ(run(small({"--checkpoint", "d.h5", "--checkpoint-every", number})).code, 2) << number;
   }

@@ -9,6 +9,7 @@
 #include "app/io/params_of_file.h"
 #include "app/io/provenance.h"
 #include "app/io/scene_file.h"
+#include "app/io/text.h"
 #include "program.h"
 #include "pupflow/observer.h"
 #include "pupflow/simulation.h"
@@ -145,6 +146,10 @@ TEST_F(CliRun, PrintsMeansForPeople) {
   double printed = 0;
   after >> printed;
   EXPECT_NEAR(printed, means.means().mean_tb, 5e-5) << "four digits";
+  const std::string degrees =
+      pupflow({"run", "--steps", "40", "--set", "discard=38", "--celsius"}).out;
+  EXPECT_THAT(degrees, HasSubstr("T_a 0.4 (24.7 °C), seed 1"));
+  EXPECT_THAT(degrees, HasSubstr(io::formatted("(%.1f °C)\n", 37 / 0.6 * means.means().mean_tb)));
 }
 
 TEST_F(CliRun, FlowLagIsThatOfRowsMeansAndWhatTheFileCarries) {

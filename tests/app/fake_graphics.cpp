@@ -22,12 +22,12 @@ using window::LiveJob;
 void print_look(const Look& look, const Output& output) {
   std::printf(
       "%s by %s %g..%g n=%d verbose=%d shaders='%s' out=%s force=%d quiet=%d\n"
-      "draw=%s quality=%s overlay=%s trail=%g caption=%d transparent=%d dpi=%d\n",
+      "draw=%s quality=%s overlay=%s trail=%g caption=%d transparent=%d dpi=%d%s\n",
       std::string(look.scale.field->name).c_str(), std::string(look.scale.map_name).c_str(),
       look.scale.min, look.scale.max, look.samples(), look.verbose, look.shader_dir.c_str(),
       output.path.c_str(), output.force, output.quiet, std::string(name_of(look.draw)).c_str(),
       std::string(name_of(look.quality)).c_str(), look.overlays.names().c_str(), look.trail,
-      look.caption, look.transparent, look.dpi);
+      look.caption, look.transparent, look.dpi, look.celsius ? " celsius" : "");
 }
 
 class FakeGraphics : public Graphics {

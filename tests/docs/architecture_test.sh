@@ -23,6 +23,7 @@ there() {
   grep -qE "(^|/)$pattern(/|$)" <<<"$all"
 }
 
+# shellcheck disable=SC2016  # the quotes are the page's
 names=$(grep -oE '`[A-Za-z0-9_./*-]+`' "$page" | tr -d '`' | grep -E '/|\.(h|cpp|inl|md|py|txt|sh|json|glsl|\*)$' |
   grep -vE '^(pupflow/…|build/.*|\./.*)$' | sort -u)
 for name in $names; do

@@ -1,6 +1,7 @@
 // What the fuzz targets share. Each target is a file with one function, one_input: it reads its input
 // as the program would read a file or an option, and throws where the invariant at the file's top does
-// not hold. replay.cpp feeds it the files of corpus/TARGET, libfuzzer.cpp what libFuzzer makes of them.
+// not hold. replay.cpp feeds it the files of corpus/TARGET and such with changes by chance, libfuzzer.cpp
+// what libFuzzer makes of them.
 #pragma once
 
 #include <cstdint>

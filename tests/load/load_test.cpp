@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <string>
 
 #include "app/io/checkpoint.h"
@@ -113,9 +115,11 @@ TEST(Load, ManyRunsThatWriteFiles) {
   expect_flat(before, holdings());
 }
 
-TEST(Load, OneLitterForALongTime) {
+/// A hundredth of a day of model time, so with PUPFLOW_LOAD=100 a day.
+TEST(Load, ADayOfOneLitter) {
   Params params = small();
-  params.steps = 100'000'000;
+  const std::int64_t hundredth = std::llround(864 / params.dt);
+  params.steps = 2 * hundredth * times();
   Simulation litter(params);
   Observer observer(litter);
   RunMeans means(0);
@@ -127,7 +131,8 @@ TEST(Load, OneLitterForALongTime) {
   };
   step(1000);
   const Holdings before = holdings();
-  step(100'000 * times());
+  step(hundredth * times());
+  std::cout << hundredth * times() << " steps\n";
   expect_flat(before, holdings());
   EXPECT_TRUE(litter.warnings().empty());
 }

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace pupflow::view {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::Not;
@@ -195,6 +197,46 @@ TEST(ColorBarLayout, NamesTheColorOfUnknownValues) {
   for (const char* field : {"group", "strain", "heading", "turn"}) {
     EXPECT_THAT(labels_of(layout_of(field, {0.5, nan})), Contains("unknown")) << field;
     EXPECT_THAT(labels_of(layout_of(field, {0.5})), Not(Contains("unknown"))) << field;
+  }
+}
+
+TEST(ColorBarLayout, DegreesStandOnTheLeftOfATemperature) {
+  const ColorBarStyle style{.celsius = true};
+  const ColorScale tb("viridis", 0, 1), strain("viridis", 0, 1, *find_field("strain"));
+  const ColorBar layout = lay_out_color_bar(kBar, color_bar_margins(tb, style), tb, 0.6, style);
+  EXPECT_THAT(labels_of(layout), AllOf(Contains("0"), Contains("20"), Contains("60"),
+                                       Contains("\u00b0C"), Contains("Tp")));
+  EXPECT_THAT(labels_of(layout), Not(Contains("40"))) << "0.649, beside T_p";
+  EXPECT_THAT(
+      labels_of(lay_out_color_bar(kBar, color_bar_margins(strain, style), strain, 0.6, style)),
+      Not(Contains("\u00b0C")));
+  EXPECT_EQ(color_bar_margins(strain, style).left, color_bar_margins(strain, {}).left);
+}
+
+TEST(ColorBarLayout, DegreesKeepWithinTheMarginAndApart) {
+  TextPainter text;
+  for (const double size : {9.0, 16.0, 64.0}) {
+    for (const auto& [low, high, tp] : {std::array{0.0, 1.0, 0.6}, std::array{0.55, 0.56, 0.6},
+                                        std::array{-1.0, 2.0, -3.0}, std::array{0.2, 0.3, 0.21}}) {
+      const ColorBarStyle style{.text_size = size, .celsius = true};
+      const ColorScale scale("viridis", low, high);
+      const ColorBarMargins margins = color_bar_margins(scale, style);
+      const Box bar{margins.left, 2 * static_cast<int>(size), 20, static_cast<int>(16 * size)};
+      double above = -1e9;
+      std::vector<double> rows;
+      for (const ColorBar::Label& label :
+           lay_out_color_bar(bar, margins, scale, tp, style).labels) {
+        if (label.align != Align::right) continue;
+        EXPECT_GE(label.x - text.width(label.text, label.size), 0) << plain(label.text);
+        rows.push_back(label.y);
+      }
+      std::ranges::sort(rows);
+      for (const double row : rows) {
+        EXPECT_GE(row - above, 0.8 * size) << size << " from " << low;
+        above = row;
+      }
+      EXPECT_GE(rows.size(), 3u);
+    }
   }
 }
 

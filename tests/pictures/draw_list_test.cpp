@@ -183,10 +183,61 @@ TEST(DrawList, ASmallPictureTakesFewerTriangles) {
     list.update(simulation, kScale, Camera::parse("orbit:30,35,10"), {.rows = rows});
     return list.skin().indices.size() / 3;
   };
-  EXPECT_EQ(triangles(40), 22u);  // of 44 for 2 x 2 points a face, those that can be seen
-  EXPECT_LT(triangles(40), triangles(480));
+  EXPECT_EQ(triangles(40), 0u);  // an ellipsoid
+  EXPECT_GT(triangles(240), 0u);
+  EXPECT_LT(triangles(240), triangles(480));
   EXPECT_LT(triangles(480), triangles(4000));
   EXPECT_LE(triangles(1 << 20), 584u * 64u);
+}
+
+TEST(DrawList, ASmallBodyIsOneEllipsoidOfItsAxes) {
+  Params params;
+  params.pups = 1;
+  Simulation simulation(params);
+  const Eigen::Vector3d centre = simulation.view().positions.mean(0);
+  const Eigen::Vector3d stretch(1.5, 1, 0.6);
+  std::vector<double> cloud;
+  for (int i = 0; i < simulation.points(); ++i) {
+    const Eigen::Vector3d place = simulation.view().positions(0, i);
+    for (const int axis : {0, 1, 2}) {
+      cloud.push_back(centre[axis] + stretch[axis] * (place - centre)[axis]);
+    }
+  }
+  simulation.set_cloud(0, cloud, std::vector<double>(cloud.size(), 0.0));
+  DrawList list;
+  list.update(simulation, kScale, Camera::parse("top"), {.rows = 40});
+  EXPECT_TRUE(list.skin().indices.empty());
+  EXPECT_TRUE(list.outline().indices.empty());
+  ASSERT_EQ(list.ellipsoids().size(), 1u);
+  const Ellipsoid& body = list.ellipsoids()[0];
+  for (const int axis : {0, 1, 2}) {
+    EXPECT_NEAR(body.centre[axis], centre[axis], 1e-5);
+    EXPECT_NEAR(body.shape[axis], params.pup_radius * stretch[axis] + params.point_radius, 2e-3);
+    EXPECT_NEAR(body.shape[3 + axis], 0, 2e-3);
+  }
+  const Rgb color = kScale(simulation.view().tb[0]);
+  EXPECT_EQ((Rgb{body.color[0], body.color[1], body.color[2]}), color);
+}
+
+TEST(DrawList, PointsAndCellsAreShownInSmallerBodiesThanSkins) {
+  const LitterField& field = *find_field("touched");
+  const Simulation simulation = huddle(field);
+  const auto pups = static_cast<std::size_t>(simulation.pups());
+  Camera camera = Camera::parse("top");
+  camera.frame(2, 0, 1);
+  // A body's diameter is some 0.6 units, and the picture 4 units high.
+  const auto ellipsoids = [&](const ColorScale& scale, Draw draw, int rows) {
+    DrawList list;
+    list.update(simulation, scale, camera, {.draw = draw, .rows = rows});
+    return list.ellipsoids().size();
+  };
+  EXPECT_EQ(ellipsoids(kScale, Draw::skin, 120), pups);
+  for (const Draw draw : {Draw::points, Draw::both}) {
+    EXPECT_EQ(ellipsoids(kScale, draw, 120), 0u);
+    EXPECT_EQ(ellipsoids(kScale, draw, 50), pups);
+  }
+  EXPECT_EQ(ellipsoids(ColorScale(field), Draw::skin, 120), 0u);
+  EXPECT_EQ(ellipsoids(ColorScale(field), Draw::skin, 50), pups);
 }
 
 TEST(DrawList, AfferentsOnTheSkinHaveCellsOfTheirOwnColor) {
@@ -211,6 +262,32 @@ TEST(DrawList, WhatIsOffIsNotMade) {
   list.update(simulation, kScale, Camera::parse("top"), {.quality = Quality::fast});
   EXPECT_EQ(list.floor().size, 0);
   EXPECT_TRUE(list.outline().indices.empty());
+}
+
+TEST(DrawList, HoldsNothingOfWhatIsBehindTheEyeOrFarBelowTheView) {
+  Params params;
+  params.pups = 2;
+  Simulation simulation(params);
+  std::vector<double> both_clouds(2 * 3 * 294);
+  simulation.view().positions.copy_to(both_clouds);
+  const std::vector<double> cloud(both_clouds.begin() + 3 * 294, both_clouds.end());
+  const std::vector<double> rest(cloud.size(), 0.0);
+  const Eigen::Vector3d middle = simulation.view().positions.mean(1);
+  const auto count = [&](double forward, double up) {
+    const Camera camera = Camera::parse("orbit:0,0,10");
+    const Eigen::Vector3d place = camera.eye() - forward * camera.backward() + up * camera.up();
+    const Eigen::Vector3d shift = place - middle;
+    std::vector<double> moved = cloud;
+    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += shift[static_cast<int>(i % 3)];
+    simulation.set_cloud(1, moved, rest);
+    DrawList list;
+    list.update(simulation, kScale, camera, kVisible);
+    return list.spheres().size();
+  };
+  const std::size_t both = count(10, 0);
+  EXPECT_LT(count(-5, 0), both);
+  EXPECT_LT(count(10, -5), both);
+  EXPECT_GT(count(0.2, 0), count(-5, 0)) << "beside the eye it may be seen";
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST(Light, EachBodyFindsAllItsNeighbours) {
 TEST(Light, OnTheFloorIsDarkBelowABodyAndBehindIt) {
   const Ball ball{{0.2f, -0.1f, 0.3f}, 0.3f};
   FloorLight floor;
-  Light(std::span(&ball, 1), true).on_floor(2, floor);
+  Light(std::span(&ball, 1), true).on_floor(2, 0.01f, floor);
   ASSERT_GT(floor.size, 16);
   ASSERT_EQ(floor.texels.size(), static_cast<std::size_t>(floor.size) * floor.size);
   const auto at = [&](float x, float y) {

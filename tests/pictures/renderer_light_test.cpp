@@ -143,6 +143,51 @@ TEST_F(RendererTest, SoftEdgesComeNearManySamples) {
   }
 }
 
+TEST_F(RendererTest, SmallBodiesAreNearerToFineSkinsThanCoarseSkinsAre) {
+  Params params;
+  params.pups = 100;
+  params.arena_radius = 4;
+  params.start = Start::carpet;
+  Simulation simulation(params);
+  ASSERT_TRUE(simulation.run(60).ok());
+  for (const char* from : {"orbit:30,35", "top"}) {
+    Camera camera = Camera::parse(from);
+    camera.frame(4, 0.6, 1.25);
+    const view::Drawing skins{.culling = view::Culling::none};
+    const io::Image fine = take_picture(simulation, kJet, camera, 200, 160, 8, skins);
+    const io::Image skin = take_picture(simulation, kJet, camera, 200, 160, 1, skins);
+    const io::Image small = take_picture(simulation, kJet, camera, 200, 160, 1, {});
+    EXPECT_LT(squared_error(small, fine), 0.8 * squared_error(skin, fine)) << from;
+  }
+}
+
+TEST_F(RendererTest, SmallBodiesHideEachOtherInTheOrderOfTheirDistance) {
+  Params params;
+  params.pups = 2;
+  params.start_spread = 0;
+  Simulation simulation(params);
+  for (const double front : {0.0, 1.0}) {
+    for (const int pup : {0, 1}) {
+      std::vector<double> cloud;
+      for (int i = 0; i < simulation.points(); ++i) {
+        const Vector p =
+            simulation.view().positions(pup, i) - simulation.view().positions.mean(pup);
+        cloud.insert(cloud.end(), {p.x() + (pup == front ? 0.35 : -0.35), p.y(), p.z() + 0.3});
+      }
+      simulation.set_cloud(pup, cloud, std::vector<double>(cloud.size(), 0.0));
+      simulation.set_body_temperature(pup, pup);
+    }
+    Camera camera = Camera::parse("orbit:0,15,9");
+    camera.look_at(Vector(0, 0, 0.3));
+    for (const view::Quality quality : {view::Quality::fast, view::Quality::normal}) {
+      const io::Image image =
+          take_picture(simulation, kJet, camera, 101, 101, 1, {.quality = quality});
+      const Rgb middle = color_at(image, 50, 50);
+      EXPECT_EQ(middle.r > middle.b, front == 1.0) << view::name_of(quality);
+    }
+  }
+}
+
 TEST_F(RendererTest, WithoutPaperTheBackgroundIsTransparent) {
   Camera camera = Camera::parse("orbit:30,35");
   camera.frame(2, 0.6, 1);

@@ -16,9 +16,9 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 constexpr const char* kFiles[] = {
-    "spheres.vert", "spheres.frag", "sphere_edges.frag", "skin.vert", "skin.frag",
-    "plane.vert",   "plane.frag",   "wall.vert",         "wall.frag", "rim.vert",
-    "rim.frag",     "resolve.vert", "resolve.frag"};
+    "spheres.vert", "spheres.frag", "sphere_edges.frag", "ellipsoids.vert", "ellipsoids.frag",
+    "skin.vert",    "skin.frag",    "plane.vert",        "plane.frag",      "wall.vert",
+    "wall.frag",    "rim.vert",     "rim.frag",          "resolve.vert",    "resolve.frag"};
 
 class ShaderTest : public GlTest {
  protected:

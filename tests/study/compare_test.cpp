@@ -79,6 +79,7 @@ TEST_F(Compared, DifferencesAreInCombinedStandardErrors) {
       text,
       HasSubstr("2 of 5 points beyond 3, rms 2.61, mean_tb within 10.0000 and 4.5 standard errors\n"
                 "membership_flow was not compared: it is not in both files\n"));
+  EXPECT_THAT(comparison_text(comparison, true), HasSubstr("within 10.0000 (616.67 °C) and"));
 }
 
 TEST_F(Compared, PointsWithoutSpreadAreCountedApart) {

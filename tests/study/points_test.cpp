@@ -108,7 +108,7 @@ TEST_F(Points, ThatAreWrongAreRefusedBeforeAnythingRuns) {
       {{"--lhs", "5"}, "--vary"},
       {{"--lhs", "5", "--vary", "ta=0:1:3"}, "name=from:to or name=a,b,c with --lhs"},
       {{"--lhs", "0", "--vary", "ta=0:1"}, "1 to 1000000"},
-      {{"--vary", "ta=0,1", "--every", "5"}, "--every requires --record"},
+      {{"--vary", "ta=0,1", "--every", "5"}, "--every: has no effect without --record"},
       {{"--vary", "ta=0,1", "--record", "--every", "0"}, "--every"},
   };
   for (const auto& [words, said] : wrong) {

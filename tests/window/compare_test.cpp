@@ -128,6 +128,34 @@ TEST(Compare, ABranchIsOneForBoth) {
   EXPECT_TRUE(repeats(look_at(session)));
 }
 
+TEST(Compare, AFutureFromBeforeTheComparisonIsComparedAnew) {
+  Session session(small_litter(), true);
+  play(session, 150);
+  have(session, GoTo{60});
+  set(session, "gravity", 8);  // the future up to step 150 is the other one
+  play(session, 40);
+  compare(session, "ta", 0.9);
+  play(session, 20);
+  have(session, SwapFuture{});
+  LiveState state = look_at(session);
+  EXPECT_EQ(state.rejected, "");
+  EXPECT_EQ(state.view().step, 0) << "both begin anew";
+  EXPECT_EQ(state.timeline.last, 150) << "in the future that was left";
+  ASSERT_TRUE(state.second);
+  play(session, 100);
+  state = look_at(session);
+  EXPECT_EQ(state.view().params.gravity, small_litter().gravity);
+  EXPECT_EQ(state.view().step, state.second->view().step);
+  EXPECT_THAT(differences(state), testing::ElementsAre("ta"));
+  EXPECT_TRUE(repeats(state));
+  have(session, SwapFuture{});
+  play(session, 100);
+  state = look_at(session);
+  EXPECT_EQ(state.view().params.gravity, 8) << "and back again";
+  EXPECT_THAT(differences(state), testing::ElementsAre("ta"));
+  EXPECT_TRUE(repeats(state));
+}
+
 TEST(Compare, SeesWhereTheTwoPart) {
   Session session(small_litter(), true);
   compare(session, "drive", 5, true);

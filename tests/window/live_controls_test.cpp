@@ -74,6 +74,28 @@ TEST_F(LiveControls, WhatIsNotTakenSaysWhyAndNothingMoves) {
   EXPECT_EQ(await("value alpha "), "0.5");
 }
 
+TEST_F(LiveControls, ADoubleClickOnASliderTypesAndChangesNothingElse) {
+  open({"--paused"});
+  const auto double_click = [&](const std::string& name) {
+    const Box box = widget(name);
+    screen_.hand({"mousemove", std::to_string(box.x + 9 * box.width / 10),
+                  std::to_string(box.middle_y()), "sleep", "0.1", "click", "--repeat", "2",
+                  "--delay", "60", "1"});
+    await("text on");
+  };
+  double_click("ta");
+  screen_.press("Escape");
+  while (await("value ta ") != "0.4") {  // the first click may have moved it
+  }
+  double_click("ta");
+  type("0.31");
+  while (await("value ta ") != "0.31") {
+  }
+  double_click("pups");
+  type("3");
+  EXPECT_EQ(await("value pups "), "3") << "no other litter was there before";
+}
+
 TEST_F(LiveControls, EscapeLeavesTheValueThatWasThere) {
   open({"--paused"});
   click("ta-field");

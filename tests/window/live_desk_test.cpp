@@ -1,6 +1,7 @@
 // Scenes, settings and closing of the window.
 #include <gmock/gmock.h>
 
+#include <csignal>
 #include <filesystem>
 
 #include "app/io/checkpoint.h"
@@ -95,6 +96,23 @@ TEST_F(LiveDesk, ASavedSceneRepeatsWhatWasSeen) {
   EXPECT_EQ(headless_hash(scene("mine.toml"), 200), hash);
 }
 
+TEST_F(LiveDesk, SavesRightAfterAnEditThatIsOnItsWay) {
+  open_and_edit();
+  screen_.press("ctrl+s");
+  answer_name("mine");
+  await("title mine \u2013");
+  click("ta-field");
+  await("text on");
+  screen_.hand({"key", "ctrl+a", "type", "--delay", "40", "0.31"});
+  settle();
+  window_->send_signal(SIGSTOP);  // a frame that takes so long that all keys are in the next one
+  screen_.hand({"key", "Return", "ctrl+s", "sleep", "0.3"});
+  window_->send_signal(SIGCONT);
+  await("title mine*");
+  await("title mine \u2013");
+  EXPECT_EQ(scene("mine.toml").ambient_temperature, 0.31);
+}
+
 TEST_F(LiveDesk, TheCopiedCommandGivesTheSameHash) {
   open({"cold", "--paused", "--seed", "6"});
   screen_.press("shift+Right");
@@ -166,16 +184,26 @@ TEST_F(LiveDesk, SettingsAreKeptForTheNextWindow) {
   screen_.press("ctrl+plus");
   screen_.press("ctrl+d");
   screen_.press("h");
+  click("menu-Run");
+  click("pause_minimised");
+  await("gone pause_minimised");
   screen_.hand({"sleep", "0.5"});
   screen_.press("q");
   EXPECT_EQ(exit_code(), 0);
   const std::string kept = test::contents(settings_path());
   EXPECT_THAT(kept, HasSubstr("theme = \"dark\""));
   EXPECT_THAT(kept, HasSubstr("panels = false"));
+  EXPECT_THAT(kept, HasSubstr("pause_minimised = true"));
   EXPECT_THAT(kept, HasSubstr("ui_scale = 1.1"));
   EXPECT_THAT(kept, HasSubstr("width = 1400")) << "an option is no setting";
   open({"--paused"});
   EXPECT_EQ(widgets().count("ta"), 0u) << "the panels are still closed";
+  click("menu-Run");
+  click("pause_minimised");
+  await("gone pause_minimised");
+  screen_.press("q");
+  EXPECT_EQ(exit_code(), 0);
+  EXPECT_THAT(test::contents(settings_path()), HasSubstr("pause_minimised = false")) << "it was on";
 }
 
 TEST_F(LiveDesk, BrokenSettingsAreSetAsideAndTheWindowOpens) {
@@ -214,6 +242,26 @@ TEST_F(LiveDesk, AFilmHasEveryFrameAndTheSimulationWaitsForThem) {
   while (const auto line = probe.read_line()) said += *line + '\n';
   EXPECT_GE(std::stoi(said.substr(said.find('\n') + 1)), 3) << said;
   EXPECT_THAT(said, HasSubstr("# seed = 2"));
+}
+
+TEST_F(LiveDesk, AFilmHasTheSizeThatIsChosen) {
+  open({"--paused", "--set", "pups=2"});
+  click("picture-sizes");
+  settle();
+  click("picture-pixels");
+  await("text on");
+  type("320x240");
+  screen_.press("Escape");
+  settle();
+  screen_.press("v");
+  await("step 8");
+  screen_.press("v");
+  const std::string film = scratch_.path(await("filmed "));
+  Child probe({.arguments = {"ffprobe", "-v", "error", "-show_entries", "stream=width,height",
+                             "-of", "csv=p=0", film},
+               .environment = {},
+               .folder = {}});
+  EXPECT_EQ(probe.read_line(), "320,240");
 }
 
 TEST_F(LiveDesk, WithoutFfmpegOneLineSaysWhatToInstall) {

@@ -17,8 +17,8 @@ namespace {
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
 
-// What a finger or an unsteady hand still hits, at scale 1. Rows stand 24 apart.
-constexpr int kLeastWidth = 24, kLeastHeight = 17;
+// What a finger or an unsteady hand still hits, at scale 1.
+constexpr int kLeastWidth = 24, kLeastHeight = 24;
 
 bool overlap(const Box& a, const Box& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
@@ -50,6 +50,25 @@ class LiveLayout : public Live, public ::testing::WithParamInterface<std::tuple<
   void open_here() {
     open({"--paused", "--size", std::to_string(width()) + 'x' + std::to_string(height()),
           "--ui-scale", std::to_string(scale())});
+    settle();
+  }
+
+  /// Whatever the size, the lists of the colors are in reach: beside the arena, behind a button there,
+  /// or in the menu.
+  void open_colors() {
+    if (widgets().count("colormap") > 0) return;
+    if (widgets().count("overlays") > 0) {
+      click("overlays");
+    } else {
+      if (widgets().count("menu") > 0) {
+        click("menu");
+        settle();
+      }
+      click("menu-View");
+      settle();
+      click("menu-overlays");
+    }
+    widget("colormap");
     settle();
   }
 
@@ -91,6 +110,12 @@ TEST_P(LiveLayout, WidgetsAreInReachAndApart) {
     screen_.press("Escape");
     await("gone ta");
   }
+  open_colors();
+  check_all("with the lists of the colors");
+  // Away from the menus first: one that the mouse rests on opens again.
+  screen_.hand({"mousemove", "1", std::to_string(height() - 2), "sleep", "0.3"});
+  for (int i = 0; i < 4; ++i) screen_.hand({"key", "Escape", "sleep", "0.3"});
+  settle();
   screen_.press("F1");
   await("widget close_help ");
   settle();

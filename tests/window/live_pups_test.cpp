@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "app/io/png.h"
 #include "app/view/framing.h"
 #include "app/view/marks.h"
 #include "pupflow/fields.h"
@@ -44,7 +45,11 @@ class LivePups : public Live {
 
   /// Where a place of the arena is on the screen, seen from above.
   std::pair<int, int> on_screen(const Eigen::Vector3d& place, const Params& params) {
-    const Box arena = widget("arena");
+    return on_screen(place, params, widget("arena"));
+  }
+
+  static std::pair<int, int> on_screen(const Eigen::Vector3d& place, const Params& params,
+                                       const Box& arena) {
     const view::Camera camera = view::framed(view::Camera::parse("top"), params,
                                              static_cast<double>(arena.width) / arena.height);
     const view::Projection projection(camera, {{-3, -3, -1}, {3, 3, 3}}, arena.width, arena.height);
@@ -73,6 +78,49 @@ TEST_F(LivePups, AClickSelectsAPupAndAClickBesideItNone) {
   EXPECT_EQ(await("selected "), std::to_string(pup));
   click_at(on_screen({-1.9, -1.9, 0}, simulation.params()));
   EXPECT_EQ(await("selected "), "none");
+}
+
+TEST_F(LivePups, AClickInEitherArenaOfAComparisonSelects) {
+  open_litter();
+  click("compare");
+  click("compare-value");
+  await("text on");
+  type("0.1");
+  click("compare-start");
+  await("second ");
+  settle();
+  Params params = litter().params();
+  const Simulation start(params);  // both begin anew
+  const Box arena = widget("arena");
+  Box half = arena;
+  if (arena.width >= arena.height) {
+    half.width /= 2;
+    half.x += half.width;
+  } else {
+    half.height /= 2;
+    half.y += half.height;
+  }
+  click_at(on_screen(start.view().positions.mean(5), params, half));
+  EXPECT_EQ(await("selected "), "5");
+  half.x = arena.x;
+  half.y = arena.y;
+  click_at(on_screen(start.view().positions.mean(7), params, half));
+  EXPECT_EQ(await("selected "), "7");
+}
+
+TEST_F(LivePups, APictureHasTheRingOfTheSelectedPup) {
+  open_litter({"--out", "shot.png"});
+  const auto picture = [&] {
+    screen_.press("s");
+    return io::read_png(scratch_.path(await("screenshot ")));
+  };
+  const io::Image without = picture();
+  screen_.press("Tab");
+  await("selected 0");
+  EXPECT_FALSE(picture().rgba == without.rgba);
+  screen_.press("Escape");
+  await("selected none");
+  EXPECT_TRUE(picture().rgba == without.rgba);
 }
 
 TEST_F(LivePups, ADragOverAPupTurnsTheViewAndSelectsNone) {

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "app/io/failure.h"
-#include "app/window/arena_view.h"
+#include "app/window/picture_path.h"
 
 namespace pupflow::window {
 namespace {

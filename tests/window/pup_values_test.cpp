@@ -85,23 +85,28 @@ TEST(PupValues, TouchesAreMutualAndTheirPointsAreCounted) {
 TEST(PupValues, CurvesAreBoundedAndFollowGoingBack) {
   Simulation simulation = huddle(0);
   PupCurves curves;
-  const std::size_t kMore = PupCurves::kSamples + 50;
+  const std::size_t kMore = 3 * PupCurves::kSamples;
   const Simulation start = simulation;
   for (std::size_t i = 0; i < kMore; ++i) {
     simulation.step();
     curves.add(simulation, 2);
     curves.add(simulation, 2);
   }
-  ASSERT_EQ(curves.samples().size(), PupCurves::kSamples) << "one a step, and no more than that";
+  EXPECT_LE(curves.samples().size(), PupCurves::kSamples);
+  EXPECT_GT(curves.samples().size(), PupCurves::kSamples / 3);
   EXPECT_EQ(curves.samples().back().step, simulation.steps_done());
-  EXPECT_EQ(curves.samples().front().step, 51);
+  EXPECT_EQ(curves.samples().front().step, 1) << "the whole time";
+  for (std::size_t i = 1; i < curves.samples().size(); ++i) {
+    EXPECT_LE(curves.samples()[i].step - curves.samples()[i - 1].step, 8);
+  }
   EXPECT_EQ(curves.samples().back().values.front(), simulation.view().tb[2]);
 
   Simulation earlier = start;
   earlier.run(100);
   curves.add(earlier, 2);
   EXPECT_EQ(curves.samples().back().step, 100);
-  EXPECT_EQ(curves.samples().size(), 50u);
+  EXPECT_LE(curves.samples().size(), 100u);
+  EXPECT_GT(curves.samples().size(), 10u);
   curves.add(earlier, 3);
   EXPECT_EQ(curves.samples().size(), 1u) << "another pup";
 }

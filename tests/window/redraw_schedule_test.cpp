@@ -143,6 +143,20 @@ TEST(RedrawSchedule, AHiddenWindowNeitherDrawsNorAsksForSnapshots) {
   EXPECT_EQ(schedule.sleep(5), Schedule::kLongestSleep);
 }
 
+TEST(RedrawSchedule, AHiddenWindowThatFilmsAsksForSnapshotsAndDrawsNothing) {
+  Schedule schedule(false);
+  show_snapshot(schedule, 0);
+  schedule.set_visible(false);
+  schedule.set_filming(true);
+  EXPECT_TRUE(schedule.wants_snapshot(5));
+  EXPECT_EQ(schedule.sleep(5), 0);
+  EXPECT_FALSE(schedule.frame_due(5));
+  schedule.snapshot_requested();
+  EXPECT_EQ(schedule.sleep(5), Schedule::kLongestSleep);
+  schedule.set_filming(false);
+  EXPECT_FALSE(schedule.wants_snapshot(6));
+}
+
 TEST(RedrawSchedule, AWindowThatIsShownAgainIsDrawn) {
   Schedule schedule = paused();
   schedule.set_visible(false);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <semaphore>
+#include <thread>
 
 namespace pupflow::window {
 namespace {
@@ -107,6 +108,24 @@ TEST(Runner, ManyStepsAreThoseOfASimulation) {
   simulation.run(250);
   EXPECT_EQ(snapshot.hash, simulation.hash());
   EXPECT_GT(snapshot.microseconds_per_step, 0);
+}
+
+TEST(Runner, ASnapshotThatIsNotTakenYetHasWhatACommandBrings) {
+  std::counting_semaphore<> told{0};
+  Runner runner({.params = small_litter(), .playing = false, .notify = [&] { told.release(); }});
+  runner.request();
+  ASSERT_TRUE(told.try_acquire_for(60s));
+  Params edited = small_litter();
+  edited.ambient_temperature = 0.3;
+  runner.send(Edit{edited});
+  const auto give_up = std::chrono::steady_clock::now() + 60s;
+  while (runner.commands_to_come() && std::chrono::steady_clock::now() < give_up) {
+    std::this_thread::sleep_for(1ms);
+  }
+  ASSERT_TRUE(runner.take());
+  EXPECT_EQ(runner.snapshot().view().params.ambient_temperature, 0.3);
+  EXPECT_FALSE(told.try_acquire()) << "that there is one was told before";
+  EXPECT_FALSE(runner.take());
 }
 
 TEST(Runner, OfEditsInARowTheLastOneCounts) {

@@ -7,10 +7,13 @@
 
 #include "app/io/checkpoint.h"
 #include "app/io/failure.h"
+#include "app/io/png_memory.h"
 #include "app/io/scene_file.h"
 #include "app/window/file_list.h"
 #include "pupflow/simulation.h"
 #include "tests/support/scratch.h"
+
+extern const char scene_pictures_begin[], scene_pictures_end[];
 
 namespace pupflow::window {
 namespace {
@@ -32,6 +35,15 @@ std::string refusal(const std::string& source) {
     return failure.what();
   }
   return {};
+}
+
+/// Made anew by scripts/scene_pictures when a scene comes or goes.
+TEST(ScenePictures, EveryShippedSceneHasOne) {
+  const std::string_view file(scene_pictures_begin,
+                              static_cast<std::size_t>(scene_pictures_end - scene_pictures_begin));
+  const io::Image image = io::read_png(file, "scene_pictures.png");
+  EXPECT_EQ(image.width, 160);
+  EXPECT_EQ(image.height, 120 * static_cast<int>(io::shipped_scenes().size()));
 }
 
 TEST(SceneDesk, OpensShippedScenesByName) {

@@ -1,8 +1,8 @@
 #include "tests/window/screen.h"
 
-#include <X11/Xlib.h>
-
 #include <stdexcept>
+
+#include "tests/window/x_client.h"
 
 namespace pupflow::testing {
 namespace {
@@ -35,30 +35,7 @@ void Screen::hand(const std::vector<std::string>& arguments) const {
 }
 
 void Screen::close_window() const {
-  Display* const display = XOpenDisplay(display_.c_str());
-  if (display == nullptr) throw std::runtime_error("no display to close a window on");
-  const Atom protocols = XInternAtom(display, "WM_PROTOCOLS", False);
-  Window root = DefaultRootWindow(display), unused = 0;
-  Window* windows = nullptr;
-  unsigned count = 0;
-  XQueryTree(display, root, &unused, &unused, &windows, &count);
-  bool asked = false;
-  for (unsigned i = 0; i < count; ++i) {
-    XWindowAttributes attributes{};
-    XGetWindowAttributes(display, windows[i], &attributes);
-    if (attributes.map_state != IsViewable) continue;
-    XEvent event{};
-    event.xclient.type = ClientMessage;
-    event.xclient.window = windows[i];
-    event.xclient.message_type = protocols;
-    event.xclient.format = 32;
-    event.xclient.data.l[0] =
-        static_cast<long>(XInternAtom(display, "WM_DELETE_WINDOW", False));  // NOLINT
-    asked = XSendEvent(display, windows[i], False, NoEventMask, &event) != 0;
-  }
-  XFree(windows);
-  XCloseDisplay(display);
-  if (!asked) throw std::runtime_error("no window to close");
+  if (!XClient(display_).close_windows()) throw std::runtime_error("no window to close");
 }
 
 void Screen::click(int x, int y) const {

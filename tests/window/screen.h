@@ -18,6 +18,9 @@ class Screen {
   /// What a program needs to find this display, and to draw by the processor.
   Environment environment() const;
 
+  /// As ":7".
+  const std::string& display() const { return display_; }
+
   /// Runs xdotool with these arguments. Throws std::runtime_error when it fails.
   void hand(const std::vector<std::string>& arguments) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/io/gnuplot.h"
 #include "app/report/validation/runs.h"
 #include "app/report/validation/sections.h"
 
@@ -94,9 +95,10 @@ void flow_section(Report& report) {
              "' title 'lag " + std::to_string(kLags[i]) + "'";
   }
   report.figure("flow", "Pup flow over four lags, in steps; bars are two standard errors",
-                "  set xlabel 'ambient temperature T_a'\n  set ylabel 'pup flow (1/s)'\n"
-                "  set yrange [0:*]\n  set grid lc '#dddddd'\n  set key top left Left reverse\n"
-                "  plot " +
+                "  set border 7\n" + io::celsius_axis("x", 0, 1) +
+                    "  set xlabel 'ambient temperature T_a'\n  set ylabel 'pup flow (1/s)'\n"
+                    "  set yrange [0:*]\n  set grid lc '#dddddd'\n  set key top left Left reverse\n"
+                    "  plot " +
                     plots + "\n",
                 base);
 }

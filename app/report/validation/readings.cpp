@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/io/gnuplot.h"
 #include "app/report/statistics.h"
 #include "app/report/validation/readings.h"
 #include "app/report/validation/sections.h"
@@ -167,7 +168,9 @@ void add_figure(Report& report, const std::string& name, const Params& params) {
   }
   constexpr const char* kColors[] = {"#0072B2", "#E69F00", "#444444"};
   std::string body =
-      "  set multiplot layout 2,2 margins 0.09,0.975,0.1,0.95 spacing 0.11,0.14\n"
+      "  set multiplot layout 2,2 margins 0.09,0.975,0.1,0.92 spacing 0.11,0.18\n"
+      "  set border 7\n" +
+      io::celsius_axis("x", 0, 1) +
       "  set xlabel 'ambient temperature T_a'\n  set xrange [0:1]\n  set yrange [0:*]\n"
       "  set grid lc '#dddddd'\n";
   bool first = true;

@@ -1,4 +1,5 @@
 // How the means depend on their window: the paper's steps 501 to 1500, and later ones.
+#include "app/io/gnuplot.h"
 #include "app/report/statistics.h"
 #include "app/report/validation/readings.h"
 #include "app/report/validation/sections.h"
@@ -70,7 +71,9 @@ void show(Report& report, const std::string& name, const std::vector<Params>& se
 
 void add_figure(Report& report) {
   std::string body =
-      "  set multiplot layout 1,3 margins 0.06,0.985,0.15,0.9 spacing 0.075,0\n"
+      "  set multiplot layout 1,3 margins 0.06,0.985,0.15,0.84 spacing 0.075,0\n"
+      "  set border 7\n" +
+      io::celsius_axis("x", 0.3, 0.65) +
       "  set xlabel 'ambient temperature T_a'\n  set xtics 0.1\n  set yrange [0:*]\n  set grid lc "
       "'#dddddd'\n";
   const std::size_t panels[] = {statistic_of(Observable::huddling), statistic_of(Observable::flow),

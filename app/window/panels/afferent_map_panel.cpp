@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "app/io/celsius.h"
 #include "app/io/text.h"
 #include "app/window/panels/choice.h"
 #include "app/window/pup_values.h"
@@ -25,7 +26,7 @@ std::string text_of(const Field& field, double value) {
   if (category < field.categories.size()) return std::string(field.categories[category]);
   std::string text = io::number_text(std::round(value * 1e4) / 1e4);
   if (!field.unit.empty()) text += ' ' + std::string(field.unit);
-  return text;
+  return io::with_celsius(text, value, io::is_temperature(field));
 }
 
 /// Small text on a spot of paper, with its middle at `middle`.

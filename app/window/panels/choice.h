@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/window/panels/list_rows.h"
 #include "app/window/panels/panel.h"
 
 namespace pupflow::window {
@@ -24,12 +25,14 @@ void draw_choice(const char* name, std::string_view present, std::string_view do
     in.tips.show(doc);
     return;
   }
-  choices([&](std::string_view item, std::string_view text, std::string_view tip, bool chosen) {
-    const std::string shown = std::string(text) + "##" + std::string(item);
-    const bool picked = ImGui::Selectable(shown.c_str(), chosen);
-    in.events.widget(std::string(name) + '-' + std::string(item));
-    if (!tip.empty()) in.tips.show(tip);
-    return picked;
+  list_rows([&] {
+    choices([&](std::string_view item, std::string_view text, std::string_view tip, bool chosen) {
+      const std::string shown = std::string(text) + "##" + std::string(item);
+      const bool picked = ImGui::Selectable(shown.c_str(), chosen);
+      in.events.widget(std::string(name) + '-' + std::string(item));
+      if (!tip.empty()) in.tips.show(tip);
+      return picked;
+    });
   });
   ImGui::EndCombo();
 }

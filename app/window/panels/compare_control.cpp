@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "app/window/panels/choice.h"
+#include "app/window/panels/list_rows.h"
 #include "app/window/session/parameter_text.h"
 #include "app/window/typed_number.h"
 
@@ -42,23 +44,20 @@ void CompareControl::draw_choice(const PanelInput& in) {
   const float width = 14 * ImGui::GetFontSize();
   ImGui::TextUnformatted("A second litter beside this one, the same but for");
   const Parameter* chosen = find_parameter(parameter_);
-  ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo("##parameter", std::string(chosen->title).c_str());
-  in.events.widget("compare-parameter");
-  if (open) {
-    for (const Parameter& parameter : parameters()) {
-      if (!can_differ(parameter)) continue;
-      if (ImGui::Selectable(std::string(parameter.title).c_str(), &parameter == chosen)) {
-        parameter_ = parameter.name;
-        value_.clear();
-        problem_.clear();
-      }
-      in.events.widget("compare-" + std::string(parameter.name));
-    }
-    ImGui::EndCombo();
-  }
+  window::draw_choice(
+      "compare-parameter", chosen->title, "What is different in the second litter", in,
+      [&](const auto& choice) {
+        for (const Parameter& parameter : parameters()) {
+          if (!can_differ(parameter)) continue;
+          if (!choice(parameter.name, parameter.title, "", &parameter == chosen)) continue;
+          parameter_ = parameter.name;
+          value_.clear();
+          problem_.clear();
+        }
+      },
+      width);
   draw_value(*chosen, in);
-  ImGui::Checkbox("from now on", &from_now_);
+  check_box("from now on", &from_now_);
   in.events.widget("compare-now");
   ImGui::SameLine();
   ImGui::TextDisabled(from_now_ ? "both go on from here" : "both begin at the start");
@@ -84,14 +83,15 @@ void CompareControl::draw_value(const Parameter& parameter, const PanelInput& in
   const float width = 14 * ImGui::GetFontSize();
   if (value_.empty()) value_ = format_value(parameter, in.controls.params);
   if (parameter.kind == Parameter::Kind::choice) {
-    ImGui::SetNextItemWidth(width);
-    if (ImGui::BeginCombo("##value", value_.c_str())) {
-      for (const std::string_view name : parameter.choices) {
-        if (ImGui::Selectable(std::string(name).c_str(), name == value_)) value_ = name;
-      }
-      ImGui::EndCombo();
-    }
-    in.events.widget("compare-value");
+    const std::string shown = value_;
+    window::draw_choice(
+        "compare-value", shown, "Its value there", in,
+        [&](const auto& choice) {
+          for (const std::string_view name : parameter.choices) {
+            if (choice(name, name, "", name == shown)) value_ = name;
+          }
+        },
+        width);
     return;
   }
   if (const auto text = entry_.draw("##value", value_, width)) {

@@ -5,6 +5,7 @@
 
 #include "app/io/text.h"
 #include "app/window/imgui_compat.h"
+#include "app/window/panels/list_rows.h"
 
 namespace pupflow::window {
 namespace {
@@ -155,19 +156,21 @@ bool Dialogs::draw_list(const PanelInput& in, float height) {
   bool chosen = false;
   std::string folder;
   ImGui::BeginChild("files", {0, height}, true);
-  for (const FileList::Entry& entry : list_.entries) {
-    const std::string label = entry.folder ? entry.name + "/" : entry.name;
-    const bool is_it = entry.name == name_.data();
-    if (ImGui::Selectable(label.c_str(), is_it,
-                          ImGuiSelectableFlags_AllowDoubleClick | kKeepsPopups)) {
-      problem_.clear();
-      set_name(entry.name);
-      const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-      if (twice && entry.folder) folder = (fs::path(list_.folder) / entry.name).string();
-      chosen |= twice && !entry.folder;
+  list_rows([&] {
+    for (const FileList::Entry& entry : list_.entries) {
+      const std::string label = entry.folder ? entry.name + "/" : entry.name;
+      const bool is_it = entry.name == name_.data();
+      if (ImGui::Selectable(label.c_str(), is_it,
+                            ImGuiSelectableFlags_AllowDoubleClick | kKeepsPopups)) {
+        problem_.clear();
+        set_name(entry.name);
+        const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+        if (twice && entry.folder) folder = (fs::path(list_.folder) / entry.name).string();
+        chosen |= twice && !entry.folder;
+      }
+      in.events.widget("file-" + entry.name);
     }
-    in.events.widget("file-" + entry.name);
-  }
+  });
   if (list_.entries.empty()) ImGui::TextDisabled("nothing here that can be opened");
   ImGui::EndChild();
   if (!folder.empty()) go_to(folder);

@@ -14,12 +14,13 @@ constexpr float kPaperLines = 5;
 
 /// Reserves the room of a plot with its title and returns where its paper goes; nothing when it
 /// cannot be seen.
-std::optional<Area> place_plot(const PanelInput& in, const char* name, const std::string& title) {
+std::optional<Area> place_plot(const PanelInput& in, const char* name, const std::string& title,
+                               bool x_celsius = false) {
   const float em = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = std::max(ImGui::GetContentRegionAvail().x - plot_margin_left(), 10.0f);
-  ImGui::Dummy(
-      {plot_margin_left() + width, (1.3f + kPaperLines) * em + plot_margin_below(in.fonts)});
+  ImGui::Dummy({plot_margin_left() + width,
+                (1.3f + kPaperLines) * em + plot_margin_below(in.fonts, x_celsius)});
   in.events.widget(name);
   if (!ImGui::IsItemVisible()) return std::nullopt;
   draw_rich_text(*ImGui::GetWindowDrawList(), in.fonts, corner, kInk, title);
@@ -44,14 +45,15 @@ Histogram tb_histogram(std::span<const double> tb, double tp, double ta) {
 }
 
 void draw_tb(const PanelInput& in) {
-  const auto paper = place_plot(in, "histogram-tb", "pups by T_b");
+  const auto paper = place_plot(in, "histogram-tb", "pups by T_b", true);
   if (!paper) return;
   const LitterView litter = in.state.view();
   const double tp = litter.params.preferred_temperature, ta = litter.params.ambient_temperature;
   const Histogram bars = tb_histogram(litter.tb, tp, ta);
   const PlotColors colors = plot_colors();
   const double top = std::max(1.15 * highest(bars), 2.0);
-  const Plot plot(in.fonts, *paper, {.x = bars.range, .y = {0, top}, .y_least = 1});
+  const Plot plot(in.fonts, *paper,
+                  {.x = bars.range, .y = {0, top}, .y_least = 1, .x_celsius = true});
   plot.bars(bars, colors.curve);
   plot.upright(tp, colors.tp, true);
   plot.upright(ta, colors.ta, true);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "app/io/celsius.h"
 #include "app/io/text.h"
 #include "app/window/imgui_compat.h"
 #include "app/window/session/parameter_text.h"
@@ -134,6 +135,10 @@ void InspectorPanel::draw_fields(const PanelInput& in) const {
       rich_text(in.fonts, kAccent, titled(field.symbol, field.label));
       ImGui::TextUnformatted(std::string(field.doc).c_str());
       if (!field.equation.empty()) ImGui::TextDisabled("%s", std::string(field.equation).c_str());
+      const double value = curves_.samples().back().values[i];
+      if (io::is_temperature(field) && std::isfinite(value)) {
+        ImGui::TextDisabled("now %s", io::celsius_text(value).c_str());
+      }
       in.tips.end();
     }
     ImGui::TableNextColumn();

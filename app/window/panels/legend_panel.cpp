@@ -1,13 +1,13 @@
 #include "app/window/panels/legend_panel.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
+#include "app/io/celsius.h"
 #include "app/io/failure.h"
 #include "app/io/text.h"
 #include "app/view/color_bar.h"
-#include "app/window/panels/choice.h"
+#include "app/window/panels/color_lists.h"
 #include "app/window/panels/legend.h"
 #include "app/window/typed_number.h"
 
@@ -16,27 +16,12 @@ namespace {
 
 constexpr ImGuiWindowFlags kStrip =
     kPanelWindow | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-constexpr std::array kEnds{view::Ends::automatic, view::Ends::field, view::Ends::around_tp};
 constexpr float kBeyond = 0.95f;   // em beside either end: grips, and what says values lie beyond
 constexpr float kUnknown = 2.5f;   // em below the bar for the values that are not known
 constexpr float kBarWidth = 1.3f;  // em
 constexpr float kEndWidth = 4.6f;  // em, of a typed end
 constexpr float kPopupWidth = 11;  // em
 constexpr float kDragStarts = 2;   // pixels from the press
-
-const char* doc_of(view::Ends ends) {
-  switch (ends) {
-    case view::Ends::automatic:
-      return "The middle 90 % of what is seen";
-    case view::Ends::field:
-      return "The field's own range";
-    case view::Ends::around_tp:
-      return "T_p in the middle";
-    case view::Ends::typed:
-      return "Typed or dragged";
-  }
-  return "";
-}
 
 const char* name_of(ScaleEnd end) {
   return end == ScaleEnd::high ? "scale_high" : "scale_low";
@@ -58,6 +43,7 @@ void draw_problem(const Area& strip, const PanelInput& in) {
 }  // namespace
 
 void LegendPanel::draw(const Area& strip, const view::ColorScale& fitted, const PanelInput& in) {
+  in.controls.colors_in_strip = false;
   if (strip.size.x < kLeastLegendWidth || strip.size.y < kLeastLegendHeight) return;
   if (!in.controls.panels) {
     draw_bare_legend(strip, fitted, in.state.view().params.preferred_temperature);
@@ -80,8 +66,9 @@ void LegendPanel::draw(const Area& strip, const view::ColorScale& fitted, const 
                                        .section = 1 + OverlayMenu::lines(),
                                        .least_bar = least_bar(scale),
                                        .usual = usual_bar(scale)});
-  if (plan.field) draw_field(in);
-  if (plan.lists) draw_lists(in);
+  if (plan.field) draw_field_list(in);
+  if (plan.lists) draw_scale_lists(in);
+  in.controls.colors_in_strip = plan.field && plan.lists;
   if (plan.ends) draw_end(ScaleEnd::high, fitted, in);
   draw_bar(plan.bar, fitted, ends, in);
   if (plan.ends) draw_end(ScaleEnd::low, fitted, in);
@@ -89,46 +76,6 @@ void LegendPanel::draw(const Area& strip, const view::ColorScale& fitted, const 
   ImGui::End();
   ImGui::PopStyleVar(3);
   draw_problem(strip, in);
-}
-
-void LegendPanel::draw_field(const PanelInput& in) {
-  const LitterField& present = *in.controls.look.scale.field;
-  draw_choice("color_by", present.label, present.doc, in, [&](const auto& choice) {
-    for (const auto table : {pup_fields(), afferent_fields()}) {
-      ImGui::TextDisabled(table.front().of_afferents ? "of each point" : "of each pup");
-      for (const LitterField& field : table) {
-        // By name: the field of the command line is in the executable's own table.
-        const bool chosen = field.name == present.name;
-        if (choice(field.name, field.label, field.doc, chosen) && !chosen) {
-          in.controls.color_by(field);
-        }
-      }
-    }
-  });
-}
-
-void LegendPanel::draw_lists(const PanelInput& in) {
-  view::ColorScale& scale = in.controls.look.scale;
-  if (ends_apply(scale, view::Ends::automatic)) {
-    const std::string shown = "ends: " + ends_label(scale, scale.ends);
-    draw_choice("ends", shown, doc_of(scale.ends), in, [&](const auto& choice) {
-      for (const view::Ends ends : kEnds) {
-        if (!ends_apply(scale, ends)) continue;
-        const bool chosen = ends == scale.ends;
-        if (choice(view::name_of(ends), ends_label(scale, ends), doc_of(ends), chosen)) {
-          choose_ends(scale, ends);
-        }
-      }
-    });
-  }
-  if (scale.categorical()) return;
-  const std::string shown = "map: " + std::string(scale.map_name);
-  draw_choice("colormap", shown, "The colors from the lower end to the upper one", in,
-              [&](const auto& choice) {
-                for (const std::string_view name : view::colormap_names()) {
-                  if (choice(name, name, "", name == scale.map_name)) scale.set_map(name);
-                }
-              });
 }
 
 void LegendPanel::draw_bar(float height, const view::ColorScale& fitted, bool ends,
@@ -175,8 +122,10 @@ void LegendPanel::draw_end(ScaleEnd end, const view::ColorScale& fitted, const P
   const char* const name = name_of(end);
   const auto typed = text_.draw((std::string("##") + name).c_str(), shown, width);
   in.events.widget(name);
-  in.tips.show(end == ScaleEnd::high ? "The value at the upper end: type it, or drag the end"
-                                     : "The value at the lower end: type it, or drag the end");
+  std::string tip = end == ScaleEnd::high ? "The value at the upper end: type it, or drag the end"
+                                          : "The value at the lower end: type it, or drag the end";
+  if (fitted.is_temperature()) tip += "\nnow " + io::celsius_text(value) + "; 0.6 is 37 \u00b0C";
+  in.tips.show(tip);
   if (!typed) return;
   const Typed read = read_typed(*typed);
   if (const auto* reason = std::get_if<std::string>(&read)) {
@@ -194,7 +143,7 @@ void LegendPanel::draw_end(ScaleEnd end, const view::ColorScale& fitted, const P
 
 void LegendPanel::draw_grip(ScaleEnd end, const Area& bar, const view::ColorScale& fitted,
                             const PanelInput& in) {
-  const float em = ImGui::GetFontSize(), half = 0.6f * em, out = 0.35f * em;
+  const float em = ImGui::GetFontSize(), half = 0.86f * em, out = 0.35f * em;
   const float y = end == ScaleEnd::high ? bar.corner.y : bar.corner.y + bar.size.y;
   const std::string name = std::string(name_of(end)) + "_grip";
   ImGui::SetCursorScreenPos({bar.corner.x - out, y - half});
@@ -230,12 +179,15 @@ void LegendPanel::draw_section(const LegendPlan& plan, const PanelInput& in) {
     return;
   }
   if (!plan.button) return;
-  if (ImGui::Button("Overlays \u2026", {-FLT_MIN, 0})) ImGui::OpenPopup("overlays");
+  if (ImGui::Button(plan.lists ? "Overlays \u2026" : "More \u2026", {-FLT_MIN, 0})) {
+    ImGui::OpenPopup("overlays");
+  }
   in.events.widget("overlays");
   in.tips.show("What is drawn over the litter, and how the litter is drawn");
   const float width = kPopupWidth * ImGui::GetFontSize();
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
   if (!ImGui::BeginPopup("overlays")) return;
+  if (!plan.lists) draw_scale_lists(in);
   overlays_.draw(in);
   ImGui::EndPopup();
 }

@@ -19,8 +19,6 @@ class LegendPanel {
   void draw(const Area& strip, const view::ColorScale& fitted, const PanelInput& in);
 
  private:
-  void draw_field(const PanelInput& in);
-  void draw_lists(const PanelInput& in);
   void draw_bar(float height, const view::ColorScale& fitted, bool ends, const PanelInput& in);
   void draw_end(ScaleEnd end, const view::ColorScale& fitted, const PanelInput& in);
   void draw_grip(ScaleEnd end, const Area& bar, const view::ColorScale& fitted,

@@ -2,14 +2,14 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <string>
 #include <vector>
 
-#include "app/io/scene_file.h"
 #include "app/io/text.h"
+#include "app/window/panels/color_lists.h"
+#include "app/window/panels/list_rows.h"
 
 namespace pupflow::window {
 namespace {
@@ -58,42 +58,6 @@ std::string word(std::string text) {
   return "menu-" + text;
 }
 
-struct Described {
-  std::string_view name;
-  std::string description;
-};
-
-/// The shipped scenes with a sentence each.
-const std::vector<Described>& shipped() {
-  static const std::vector<Described> all = [] {
-    std::vector<Described> scenes;
-    for (const io::ShippedScene& scene : io::shipped_scenes()) {
-      std::vector<std::string> none;
-      scenes.push_back(
-          {scene.name, io::parse_scene(scene.text, std::string(scene.name), none).description});
-    }
-    return scenes;
-  }();
-  return all;
-}
-
-void draw_shipped(const PanelInput& in) {
-  const bool open = ImGui::BeginMenu("Shipped scenes");
-  in.events.widget("menu-shipped");
-  if (!open) return;
-  const float em = ImGui::GetFontSize();
-  for (const Described& scene : shipped()) {
-    if (ImGui::MenuItem(std::string(scene.name).c_str())) in.controls.open = scene.name;
-    in.events.widget("menu-scene-" + std::string(scene.name));
-    ImGui::Indent(em);
-    ImGui::PushTextWrapPos(std::min(30 * em, 0.8f * ImGui::GetIO().DisplaySize.x));
-    colored_text(kFaint, scene.description);
-    ImGui::PopTextWrapPos();
-    ImGui::Unindent(em);
-  }
-  ImGui::EndMenu();
-}
-
 void draw_recent(const PanelInput& in) {
   const std::vector<std::string>& recent = in.controls.recent;
   const bool open = ImGui::BeginMenu("Recent files", !recent.empty());
@@ -108,11 +72,16 @@ void draw_recent(const PanelInput& in) {
 }
 
 void draw_overlays(const PanelInput& in, OverlayMenu& overlays) {
+  const bool colors = !in.controls.colors_in_strip;
   const float width = 14 * ImGui::GetFontSize();
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
-  const bool open = ImGui::BeginMenu("Overlays and drawing");
+  const bool open = ImGui::BeginMenu(colors ? "Colors, overlays, drawing" : "Overlays and drawing");
   in.events.widget("menu-overlays");
   if (!open) return;
+  if (colors) {
+    draw_field_list(in);
+    draw_scale_lists(in);
+  }
   overlays.draw(in);
   ImGui::EndMenu();
 }
@@ -143,14 +112,18 @@ void draw_panels_button(const PanelInput& in) {
   in.tips.show("Hide or show the panels (H)");
 }
 
-void draw_menus(const PanelInput& in, OverlayMenu& overlays) {
+void draw_menus(const PanelInput& in, OverlayMenu& overlays, SceneMenu& scenes) {
   for (const Menu& menu : kMenus) {
     const bool open = ImGui::BeginMenu(menu.title);
     in.events.widget(std::string("menu-") + menu.title);
     if (!open) continue;
     if (menu.title == kScene) {
-      draw_shipped(in);
+      scenes.draw(in);
       draw_recent(in);
+      ImGui::Separator();
+    }
+    if (menu.title == std::string_view("View")) {  // first, in reach also in a low window
+      draw_overlays(in, overlays);
       ImGui::Separator();
     }
     for (std::size_t i = 0; i < menu.count; ++i) {
@@ -161,7 +134,6 @@ void draw_menus(const PanelInput& in, OverlayMenu& overlays) {
       }
       in.events.widget(word(row.text));
     }
-    if (menu.title == std::string_view("View")) draw_overlays(in, overlays);
     if (menu.title == std::string_view("Run")) {
       ImGui::MenuItem("Pause when minimised", nullptr, &in.controls.pause_minimised);
       in.events.widget("pause_minimised");
@@ -182,19 +154,21 @@ bool menus_fit() {
 
 }  // namespace
 
-void draw_menu(const PanelInput& in, OverlayMenu& overlays) {
+void draw_menu(const PanelInput& in, OverlayMenu& overlays, SceneMenu& scenes) {
   if (!ImGui::BeginMainMenuBar()) return;
-  if (menus_fit()) {
-    draw_menus(in, overlays);
-  } else {
-    const bool open = ImGui::BeginMenu("Menu");
-    in.events.widget("menu");
-    if (open) {
-      draw_menus(in, overlays);
-      ImGui::EndMenu();
+  list_rows([&] {
+    if (menus_fit()) {
+      draw_menus(in, overlays, scenes);
+    } else {
+      const bool open = ImGui::BeginMenu("Menu");
+      in.events.widget("menu");
+      if (open) {
+        draw_menus(in, overlays, scenes);
+        ImGui::EndMenu();
+      }
     }
-  }
-  draw_panels_button(in);
+    draw_panels_button(in);
+  });
   ImGui::EndMainMenuBar();
 }
 

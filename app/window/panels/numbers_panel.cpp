@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "app/io/celsius.h"
 #include "app/io/text.h"
-#include "app/window/panels/celsius.h"
 #include "app/window/panels/histogram_panel.h"
 #include "app/window/panels/phase_panel.h"
 
@@ -13,8 +13,9 @@ namespace {
 /// What the quantity is; a temperature in degrees, too.
 void tip(const PanelInput& in, const ObservableField& row) {
   std::string text = std::string(row.doc) + '\n' + std::string(row.equation);
-  if (row.observable == Observable::mean_tb && in.state.observables) {
-    text += "\nnow " + celsius_text(in.state.observables->mean_tb) + "; 0.6 stands for 37 \u00b0C";
+  if (io::is_temperature(row) && in.state.observables) {
+    text += "\nnow " + io::celsius_text(*in.state.observables.*row.value) +
+            "; 0.6 stands for 37 \u00b0C";
   }
   in.tips.show(text);
 }

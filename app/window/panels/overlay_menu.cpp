@@ -7,6 +7,7 @@
 #include "app/io/text.h"
 #include "app/view/overlay.h"
 #include "app/window/panels/choice.h"
+#include "app/window/panels/list_rows.h"
 #include "app/window/typed_number.h"
 
 namespace pupflow::window {
@@ -19,7 +20,7 @@ constexpr std::array<const char*, 3> kQualityDocs{
 
 void draw_box(const char* label, const std::string& name, bool& on, std::string_view doc,
               const PanelInput& in) {
-  ImGui::Checkbox(label, &on);
+  check_box(label, &on);
   in.events.widget(name);
   in.tips.show(doc);
 }

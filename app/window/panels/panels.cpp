@@ -49,7 +49,7 @@ std::span<const char* const> Panels::names() {
 }
 
 void Panels::draw(const Layout& layout, const PanelInput& in) {
-  draw_menu(in, overlays_);
+  draw_menu(in, overlays_, scenes_);
   in.controls.inspected = {};
   if (layout.left.size.x > 0) {
     begin_panel(kLeft, layout.left);

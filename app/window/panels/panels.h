@@ -9,6 +9,7 @@
 #include "app/window/panels/overlay_menu.h"
 #include "app/window/panels/panel.h"
 #include "app/window/panels/parameter_panel.h"
+#include "app/window/panels/scene_menu.h"
 #include "app/window/panels/transport_panel.h"
 
 namespace pupflow::window {
@@ -26,6 +27,7 @@ class Panels {
 
  private:
   OverlayMenu overlays_;
+  SceneMenu scenes_;
   ParameterPanel parameters_;
   InspectorPanel inspector_;
   NumbersPanel numbers_;

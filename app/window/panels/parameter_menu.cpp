@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/window/panels/list_rows.h"
 #include "app/window/session/parameter_text.h"
 #include "app/window/typed_number.h"
 
@@ -38,13 +39,14 @@ bool ParameterMenu::draw(const Parameter& parameter, const PanelInput& in) {
   if (!ImGui::BeginPopup(kId)) return false;
   rich_text(in.fonts, kAccent, titled(parameter.symbol, parameter.title));
   ImGui::Separator();
-  set_to("Default", "default", parameter.default_value(), parameter, in);
-  set_to("The scene's value", "scene", parameter.get(in.controls.scene), parameter, in);
   bool type = false;
-  if (parameter.kind != Parameter::Kind::choice) {
-    type = ImGui::MenuItem("Type a value", "Ctrl + click");
+  list_rows([&] {
+    set_to("Default", "default", parameter.default_value(), parameter, in);
+    set_to("The scene's value", "scene", parameter.get(in.controls.scene), parameter, in);
+    if (parameter.kind == Parameter::Kind::choice) return;
+    type = ImGui::MenuItem("Type a value", "Double click");
     in.events.widget(std::string(parameter.name) + "-type");
-  }
+  });
   if (can_ramp(parameter)) draw_ramp(parameter, in);
   ImGui::EndPopup();
   return type;
@@ -69,7 +71,7 @@ void ParameterMenu::draw_ramp(const Parameter& parameter, const PanelInput& in) 
   field(("Ramp from " + now + " to").c_str(), "to", to_);
   field("in", "seconds", seconds_);
   ImGui::TextUnformatted("s of model time");
-  ImGui::Checkbox("and back in as many", &back_);
+  check_box("and back in as many", &back_);
   in.events.widget(name + "back");
   if (ImGui::Button("Start the ramp")) start_ramp(parameter, in);
   in.events.widget(name + "start");

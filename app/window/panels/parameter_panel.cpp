@@ -8,7 +8,9 @@
 #include <string>
 #include <string_view>
 
+#include "app/io/celsius.h"
 #include "app/window/imgui_compat.h"
+#include "app/window/panels/list_rows.h"
 #include "app/window/panels/resets.h"
 #include "app/window/session/parameter_text.h"
 #include "app/window/typed_number.h"
@@ -19,7 +21,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kTop{"ta", "alpha", "beta"};
 constexpr std::string_view kPresetOf = "ta";
 constexpr const char* kField = "##field";
-constexpr float kFieldWidth = 4.8f, kTitleWidth = 12;  // em
+constexpr float kFieldWidth = 4.8f, kTitleWidth = 13;  // em
 constexpr float kLeastOthers = 16;                     // em; symbol, slider and field
 constexpr const char* kRestarts = " \u21bb";           // an open circle arrow
 
@@ -48,6 +50,9 @@ void tooltip(const Parameter& parameter, const PanelInput& in) {
   const auto line = [](const char* what, const std::string& text) {
     if (!text.empty()) ImGui::TextDisabled("%s: %s", what, text.c_str());
   };
+  if (io::is_temperature(parameter)) {
+    line("now", io::celsius_text(parameter.get(in.controls.params)) + "; 0.6 is 37 \u00b0C");
+  }
   line("unit", std::string(parameter.unit));
   line("allowed", range_text(parameter));
   line("default", format_value(parameter, parameter.default_value()));
@@ -62,12 +67,15 @@ void tooltip(const Parameter& parameter, const PanelInput& in) {
 void choice(const Parameter& parameter, const PanelInput& in) {
   const std::string current = format_value(parameter, in.controls.params);
   if (!ImGui::BeginCombo("##value", current.c_str())) return;
-  for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
-    const std::string name(parameter.choices[i]);
-    if (ImGui::Selectable(name.c_str(), name == current)) {
-      in.controls.propose(parameter, static_cast<double>(i));
+  list_rows([&] {
+    for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
+      const std::string name(parameter.choices[i]);
+      if (ImGui::Selectable(name.c_str(), name == current)) {
+        in.controls.propose(parameter, static_cast<double>(i));
+      }
+      in.events.widget(std::string(parameter.name) + '-' + name);
     }
-  }
+  });
   ImGui::EndCombo();
 }
 
@@ -89,6 +97,16 @@ bool slider(const Parameter& parameter, double& value) {
                              &parameter.slider_max, format, flags);
 }
 
+/// How long it may take until a click that began at `time` turns out to be a double click; 0: it is
+/// none, or a drag.
+double rest_of_click(double time) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool drags = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >
+                     io.MouseDragThreshold * io.MouseDragThreshold;
+  const double end = time + static_cast<double>(io.MouseDoubleClickTime);
+  return drags ? 0 : std::max(0.0, end - ImGui::GetTime());
+}
+
 /// The title, which is a button for the parameter's menu, or why its last value was not taken.
 bool draw_title(const Parameter& parameter, const PanelInput& in) {
   const bool refused = in.controls.problem_at == parameter.name;
@@ -106,16 +124,22 @@ bool draw_title(const Parameter& parameter, const PanelInput& in) {
     list.AddRectFilled(corner, end, ImGui::GetColorU32(ImGuiCol_HeaderHovered),
                        ImGui::GetStyle().FrameRounding);
   }
-  const float em = ImGui::GetFontSize();
+  const float em = ImGui::GetFontSize(), margin = 0.2f * em, between = 0.6f * em;
   const float y = corner.y + ImGui::GetStyle().FramePadding.y;
+  // Small where there is no room, and the unit only where there is.
+  Fonts fonts = in.fonts;
+  const bool small = rich_text_width(fonts, text) + margin > size.x;
+  if (small) fonts.text = fonts.small;
+  const float drop = small ? em - small_text_size(in.fonts, text).y : 0;
   ImGui::PushClipRect(corner, end, true);
-  const float width = draw_rich_text(list, in.fonts, {corner.x + 0.2f * em, y},
+  const float width = draw_rich_text(list, fonts, {corner.x + margin, y + drop},
                                      refused   ? kBad
                                      : changed ? kAccent
                                                : kInk,
                                      text);
-  if (!refused && !parameter.unit.empty()) {
-    draw_rich_text(list, in.fonts, {corner.x + 0.8f * em + width, y}, kFaint, parameter.unit);
+  const float unit = margin + width + between;
+  if (!refused && unit + rich_text_width(in.fonts, parameter.unit) <= size.x) {
+    draw_rich_text(list, in.fonts, {corner.x + unit, y}, kFaint, parameter.unit);
   }
   ImGui::PopClipRect();
   return pressed;
@@ -202,19 +226,24 @@ void ParameterPanel::row(const Parameter& parameter, const PanelInput& in) {
   ImGui::PopID();
 }
 
-/// A drag is proposed piece by piece where each piece acts at once, and undone as a whole.
+/// A drag is proposed piece by piece where each piece acts at once, and undone as a whole. A double
+/// click types: what its first click did is taken back.
 void ParameterPanel::slide(const Parameter& parameter, float width, const PanelInput& in) {
   const bool drafted = draft_ && draft_->parameter == &parameter;
   double value = drafted ? draft_->value : parameter.get(in.controls.params);
-  const bool typing = ImGui::GetIO().KeyCtrl && !drafted;
   ImGui::SetNextItemWidth(width);
-  const bool moved = slider(parameter, value) && !typing;
+  const bool slid = slider(parameter, value);
   in.events.widget(parameter.name);
-  if (typing && ImGui::IsItemClicked()) entry_.focus(kField);
-  if (ImGui::IsItemFocused() && key_pressed(ImGuiKey_Enter)) {
-    entry_.focus(kField);
+  const bool active = ImGui::IsItemActive();
+  if (ImGui::IsItemActivated() && !double_clicked()) {
+    pressed_ = {&parameter, parameter.get(in.controls.params), ImGui::GetTime()};
   }
-  if (moved) {
+  if (asks_to_type()) begin_typing(parameter, in);
+  if (typing_ == &parameter) {
+    if (!active) typing_ = nullptr;
+    return;
+  }
+  if (slid) {
     const bool continues = drafted && draft_->proposed;
     draft_ = Draft{&parameter, rounded(parameter, value), continues};
     if (parameter.effect == Parameter::Effect::next_step) {
@@ -222,9 +251,24 @@ void ParameterPanel::slide(const Parameter& parameter, float width, const PanelI
       draft_->proposed = true;
     }
   }
-  if (!draft_ || draft_->parameter != &parameter || ImGui::IsItemActive()) return;
-  if (!draft_->proposed) in.controls.propose(parameter, draft_->value);
+  if (!draft_ || draft_->parameter != &parameter || active) return;
+  if (!draft_->proposed) {
+    if (const double rest = rest_of_click(pressed_.time); rest > 0) {
+      in.controls.wake_in = rest;
+      return;
+    }
+    in.controls.propose(parameter, draft_->value);
+  }
   draft_.reset();
+}
+
+void ParameterPanel::begin_typing(const Parameter& parameter, const PanelInput& in) {
+  entry_.focus(kField);
+  typing_ = &parameter;
+  draft_.reset();
+  if (double_clicked() && pressed_.parameter == &parameter) {
+    in.controls.propose(parameter, pressed_.value, true);
+  }
 }
 
 void ParameterPanel::type(const Parameter& parameter, float width, const PanelInput& in) {

@@ -27,14 +27,22 @@ class ParameterPanel {
     double value;
     bool proposed;
   };
+  struct Pressed {  // a slider, not for the second time
+    const Parameter* parameter = nullptr;
+    double value = 0;  // until then
+    double time = 0;
+  };
 
   void row(const Parameter& parameter, const PanelInput& in);
   void slide(const Parameter& parameter, float width, const PanelInput& in);
+  void begin_typing(const Parameter& parameter, const PanelInput& in);
   void type(const Parameter& parameter, float width, const PanelInput& in);
 
   TextEntry entry_;
   ParameterMenu menu_;
   std::optional<Draft> draft_;
+  Pressed pressed_;
+  const Parameter* typing_ = nullptr;  // its slider is still held
 };
 
 }  // namespace pupflow::window

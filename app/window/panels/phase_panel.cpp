@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/io/celsius.h"
 #include "app/io/text.h"
 #include "app/window/panels/figure2_curve.h"
 #include "app/window/panels/plot.h"
@@ -84,8 +85,9 @@ std::string pointed_text(const Plot& plot, const Area& paper,
   }
   if (!nearest) return {};
   plot.dot(nearest->ta, nearest->huddling, plot_colors().now);
-  return io::formatted("at %.2f s: T_a %.3g, 1 − A %.3f", nearest->time, nearest->ta,
-                       nearest->huddling);
+  return io::formatted("at %.2f s: T_a ", nearest->time) +
+         io::with_celsius(io::formatted("%.3g", nearest->ta), nearest->ta, true) +
+         io::formatted(", 1 − A %.3f", nearest->huddling);
 }
 
 }  // namespace
@@ -99,7 +101,7 @@ void draw_phase_panel(const PanelInput& in) {
   const float width = std::max(ImGui::GetContentRegionAvail().x - plot_margin_left(), 10.0f);
   const Area paper{{corner.x + plot_margin_left(), corner.y + 1.3f * em},
                    {width, kPaperLines * em}};
-  const float below = plot_margin_below(in.fonts);
+  const float below = plot_margin_below(in.fonts, true);
   ImGui::Dummy({plot_margin_left() + width, (1.3f + kPaperLines) * em + below});
   in.events.widget("phase-plot");
   if (!ImGui::IsItemVisible()) return;
@@ -118,7 +120,7 @@ void draw_phase_panel(const PanelInput& in) {
   const PlotColors colors = plot_colors();
   std::string note;
   {
-    const Plot plot(in.fonts, paper, {.x = x, .y = y});
+    const Plot plot(in.fonts, paper, {.x = x, .y = y, .x_celsius = true});
     draw_reference(plot, colors);
     draw_trail(plot, second, colors.second);
     draw_trail(plot, trail, colors.curve);

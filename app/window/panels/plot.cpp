@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/io/celsius.h"
+
 namespace pupflow::window {
 namespace {
 
@@ -36,8 +38,8 @@ float plot_margin_left() {
   return 2.9f * ImGui::GetFontSize();
 }
 
-float plot_margin_below(const Fonts& fonts) {
-  return small_text_size(fonts, "0").y + 0.3f * ImGui::GetFontSize();
+float plot_margin_below(const Fonts& fonts, bool x_celsius) {
+  return (x_celsius ? 2 : 1) * small_text_size(fonts, "0").y + 0.3f * ImGui::GetFontSize();
 }
 
 Plot::Plot(const Fonts& fonts, const Area& paper, const PlotAxes& axes)
@@ -86,6 +88,27 @@ void Plot::draw_axes(const PlotAxes& axes) const {
     const float extent = width(tick.text);
     const float shift = std::clamp(x - extent / 2, left, std::max(right - extent, left));
     small_text(list_, fonts_, {shift, bottom + 0.15f * em}, kFaint, tick.text);
+  }
+  if (axes.x_celsius) draw_celsius();
+}
+
+/// A second row of labels below the paper, with ticks of their own.
+void Plot::draw_celsius() const {
+  constexpr int kMost = 8;
+  const float em = ImGui::GetFontSize(), bottom = y_.from;
+  const Axis degrees{{io::celsius(x_.values.low), io::celsius(x_.values.high)}, x_.from, x_.to};
+  const auto text_of = [](const Tick& tick) { return tick.text + " \u00b0C"; };
+  const auto width = [&](const std::string& text) {
+    return 1.5f * small_text_size(fonts_, text + " \u00b0C").x;  // labels at the ends are moved
+  };
+  for (const Tick& tick : ticks_that_fit(degrees, kMost, 0.4f * em, width)) {
+    const float x = degrees.place(tick.value);
+    const ImVec2 extent = small_text_size(fonts_, text_of(tick));
+    const float most = std::max(x_.to - extent.x, x_.from);
+    list_.AddLine({x, bottom - 0.25f * em}, {x, bottom}, kFaint);
+    small_text(list_, fonts_,
+               {std::clamp(x - extent.x / 2, x_.from, most), bottom + 0.15f * em + extent.y},
+               kFaint, text_of(tick));
   }
 }
 

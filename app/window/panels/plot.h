@@ -26,13 +26,14 @@ PlotColors plot_colors(const Palette& of = palette());
 
 /// How wide the labels left of a plot's paper are, and how high those below it.
 float plot_margin_left();
-float plot_margin_below(const Fonts& fonts);
+float plot_margin_below(const Fonts& fonts, bool x_celsius = false);
 
 /// What the axes of a plot look like.
 struct PlotAxes {
   Range x, y;
   bool x_labels = true;             // whether the x axis has labels
   double x_least = 0, y_least = 0;  // ticks are not closer; 1 for whole numbers
+  bool x_celsius = false;           // x is a temperature: degrees stand below its labels
 };
 
 /// Draws paper, grid and labels into the current Dear ImGui window when made. Whatever is drawn
@@ -62,6 +63,7 @@ class Plot {
 
  private:
   void draw_axes(const PlotAxes& axes) const;
+  void draw_celsius() const;
 
   const Fonts& fonts_;
   ImDrawList& list_;

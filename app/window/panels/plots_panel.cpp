@@ -6,10 +6,11 @@
 #include <limits>
 #include <string>
 
+#include "app/io/celsius.h"
 #include "app/io/text.h"
 #include "app/window/history_csv.h"
-#include "app/window/panels/celsius.h"
 #include "app/window/panels/choice.h"
+#include "app/window/panels/list_rows.h"
 #include "app/window/panels/plot_curves.h"
 
 namespace pupflow::window {
@@ -41,10 +42,6 @@ float paper_lines(const ObservableField& row) {
 
 bool is_rate(const ObservableField& row) {
   return row.unit == "1/s";
-}
-
-bool is_temperature(const ObservableField& row) {
-  return row.observable == Observable::mean_tb;
 }
 
 void draw_spans(const char* name, const char* doc, float width, std::span<const PlotSpan> spans,
@@ -170,7 +167,7 @@ void PlotsPanel::draw_choices(const PanelInput& in, const Frame& frame) {
   if (ImGui::Button("CSV")) ImGui::OpenPopup("plots-csv");
   in.events.widget("plots-csv");
   if (!ImGui::BeginPopup("plots-csv")) return;
-  export_items(in, frame);
+  list_rows([&] { export_items(in, frame); });
   ImGui::EndPopup();
 }
 
@@ -179,11 +176,13 @@ void PlotsPanel::draw_menu(const PanelInput& in, const Frame& frame) {
     ImGui::OpenPopup("plots-menu");
   }
   if (!ImGui::BeginPopup("plots-menu")) return;
-  for (std::size_t i = 0; i < kSpans.size(); ++i) {
-    if (ImGui::MenuItem(kSpans[i].text, nullptr, i == span_)) span_ = i;
-  }
-  ImGui::Separator();
-  export_items(in, frame);
+  list_rows([&] {
+    for (std::size_t i = 0; i < kSpans.size(); ++i) {
+      if (ImGui::MenuItem(kSpans[i].text, nullptr, i == span_)) span_ = i;
+    }
+    ImGui::Separator();
+    export_items(in, frame);
+  });
   ImGui::EndPopup();
 }
 
@@ -223,11 +222,11 @@ void PlotsPanel::draw_plot(const PanelInput& in, const Frame& frame, std::size_t
       const double unit = std::pow(10, -digits);
       const double shown = unit * std::round(*value / unit) + 0.0;  // no "-0"
       readings.push_back({io::formatted("%.*f", digits, shown), color});
-      if (is_temperature(row)) readings.back().text += " = " + celsius_text(*value);
+      if (io::is_temperature(row)) readings.back().text += " = " + io::celsius_text(*value);
     };
     read(observable_curve(frame.first, observable, window), colors.curve);
     read(observable_curve(frame.second, observable, window), colors.second);
-    if (is_temperature(row) && frame.selected) {
+    if (io::is_temperature(row) && frame.selected) {
       read(pup_curve(frame.first, *frame.selected), colors.selected);
     }
   }
@@ -270,7 +269,7 @@ void PlotsPanel::draw_curves(const Plot& plot, const Frame& frame, std::size_t o
   const auto draw = [&](const std::vector<CurvePoint>& curve, ImU32 color) {
     plot.curve(columns(curve, plot.x()), color);
   };
-  const bool temperature = is_temperature(observables()[observable]);
+  const bool temperature = io::is_temperature(observables()[observable]);
   if (temperature) {
     plot.band(columns(tb_band(frame.first), plot.x()), colors.band);
     draw(temperature_curve(frame.first, &History::Sample::tp), colors.tp);

@@ -1,5 +1,7 @@
 #include "app/window/panels/text_entry.h"
 
+#include "app/window/imgui_compat.h"
+
 namespace pupflow::window {
 namespace {
 
@@ -17,6 +19,16 @@ void pop_look() {
 }
 
 }  // namespace
+
+bool asks_to_type() {
+  const bool clicked = ImGui::IsItemClicked() && ImGui::GetIO().KeyCtrl;
+  const bool entered = ImGui::IsItemFocused() && key_pressed(ImGuiKey_Enter);
+  return clicked || entered || (ImGui::IsItemClicked() && double_clicked());
+}
+
+bool double_clicked() {
+  return ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+}
 
 std::optional<std::string> TextEntry::draw(const char* label, std::string_view shown, float width) {
   const ImGuiID id = ImGui::GetID(label);

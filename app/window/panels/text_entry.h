@@ -10,6 +10,13 @@
 
 namespace pupflow::window {
 
+/// Whether the item just submitted, a slider, was asked for its field: by Ctrl + click, by a double
+/// click, or by Enter.
+bool asks_to_type();
+
+/// Whether the left button has just gone down for the second time.
+bool double_clicked();
+
 /// Text fields of one panel, of which one at a time has the keyboard. They hand over text, not
 /// numbers: whoever reads it can say what is wrong with it.
 class TextEntry {

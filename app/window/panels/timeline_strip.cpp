@@ -12,8 +12,9 @@
 namespace pupflow::window {
 namespace {
 
-constexpr float kTrack = 1.25f;  // em; below it are the other future and the text
-constexpr float kReach = 0.35f;  // em; a mark is pointed at from so far
+constexpr float kTrack = 1.4f;    // em; below it are the other future and the text
+constexpr float kHeight = 1.75f;  // em, of what can be pressed
+constexpr float kReach = 0.35f;   // em; a mark is pointed at from so far
 
 ImU32 color_of(Timeline::Kind kind) {
   switch (kind) {
@@ -164,7 +165,7 @@ void draw_timeline_strip(float height, const std::string& problem, const PanelIn
                     in,
                     *ImGui::GetWindowDrawList()};
   const float cursor_y = ImGui::GetCursorPosY();
-  ImGui::InvisibleButton("timeline", {width, (kTrack + 0.3f) * em});
+  ImGui::InvisibleButton("timeline", {width, kHeight * em});
   in.events.widget("timeline");
   const bool held = ImGui::IsItemActive(), pointed = ImGui::IsItemHovered();
   const float mouse = ImGui::GetIO().MousePos.x;

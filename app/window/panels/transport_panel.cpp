@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/io/text.h"
+#include "app/window/panels/list_rows.h"
 #include "app/window/panels/record_button.h"
 #include "app/window/panels/timeline_strip.h"
 #include "app/window/typed_number.h"
@@ -50,7 +51,7 @@ void draw_clock(float width, const PanelInput& in) {
 
 void draw_as_fast(const PanelInput& in) {
   bool as_fast = in.controls.as_fast;
-  if (ImGui::Checkbox("as fast as possible", &as_fast)) in.controls.set_as_fast(as_fast);
+  if (check_box("as fast as possible", &as_fast)) in.controls.set_as_fast(as_fast);
   in.events.widget("as_fast");
   in.tips.show("Step without regard to the clock (F)");
 }
@@ -94,8 +95,7 @@ void TransportPanel::draw_part(TransportPart part, float width, const PanelInput
              true, in);
       break;
     case TransportPart::picture:
-      button("Picture", "screenshot", "Save a picture with all parameters in it (S)",
-             Action::screenshot, width, true, in);
+      picture_.draw(width, in);
       break;
     case TransportPart::record:
       draw_record_button(width, in);
@@ -139,14 +139,25 @@ void TransportPanel::draw_speed(float width, const PanelInput& in) {
   ImGui::SameLine(left + label);
   double speed = in.controls.speed;
   ImGui::SetNextItemWidth(width - label - field - unit - 2 * gap);
-  const bool typing = ImGui::GetIO().KeyCtrl;
   const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &speed,
                                          &Controls::kSlowest, &Controls::kFastest, " ",
                                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput);
   in.events.widget("speed");
   in.tips.show("Model time against real time (+ and -, 1 for real time)");
-  if (typing && ImGui::IsItemClicked()) entry_.focus("##speed");
-  if (moved && !typing && speed > 0) in.controls.set_speed(speed);
+  if (ImGui::IsItemActivated() && !double_clicked()) {
+    speed_before_ = in.controls.speed;
+    was_as_fast_ = in.controls.as_fast;
+  }
+  if (asks_to_type()) {
+    entry_.focus("##speed");
+    typing_ = true;
+    if (double_clicked()) {  // what its first click did is taken back
+      in.controls.set_speed(speed_before_);
+      if (was_as_fast_) in.controls.set_as_fast(true);
+    }
+  }
+  if (moved && !typing_ && speed > 0) in.controls.set_speed(speed);
+  if (!ImGui::IsItemActive()) typing_ = false;
   ImGui::SameLine(0, gap);
   const std::string shown = in.controls.speed < Controls::kFastest
                                 ? io::formatted("%.3g", in.controls.speed)

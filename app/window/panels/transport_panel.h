@@ -3,6 +3,7 @@
 
 #include "app/window/panels/compare_control.h"
 #include "app/window/panels/panel.h"
+#include "app/window/panels/picture_button.h"
 #include "app/window/panels/text_entry.h"
 #include "app/window/panels/transport_plan.h"
 
@@ -22,7 +23,10 @@ class TransportPanel {
   void draw_seed(float width, const PanelInput& in);
 
   TextEntry entry_;
+  double speed_before_ = 1;  // the slider was pressed
+  bool was_as_fast_ = false, typing_ = false;
   CompareControl compare_;
+  PictureButton picture_;
 };
 
 }  // namespace pupflow::window

@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kLeastForAll = 40;  // em; narrower than that, some parts are in the menu
 
-constexpr std::array<float, kTransportParts> kWidths{4.4f, 2, 2,  4.8f,  4.6f,  4.6f,
+constexpr std::array<float, kTransportParts> kWidths{4.4f, 2, 2,  4.8f,  6.9f,  4.6f,
                                                      5,    9, 14, 10.6f, 10.6f, 7.6f};
 
 bool in_menu(TransportPart part) {

@@ -41,6 +41,6 @@ constexpr float kTransportGap = 0.5f;
 TransportPlan plan_transport(float width);
 
 /// Height of the timeline above the rows, in multiples of the text size.
-constexpr float kStripHeight = 2.9f;
+constexpr float kStripHeight = 3.1f;
 
 }  // namespace pupflow::window

@@ -53,11 +53,11 @@ bool RedrawSchedule::frame_due(double now) const {
 }
 
 bool RedrawSchedule::wants_snapshot(double now) const {
-  return visible_ && !requested_ && now >= request_at_;
+  return (visible_ || filming_) && !requested_ && now >= request_at_;
 }
 
 double RedrawSchedule::sleep(double now) const {
-  if (!visible_) return kLongestSleep;
+  if (!visible_ && !wants_snapshot(now)) return kLongestSleep;
   if (frame_due(now) || wants_snapshot(now)) return 0;
   const double next = requested_ ? next_deadline() : std::min(next_deadline(), request_at_);
   return std::min(next - now, kLongestSleep);

@@ -41,14 +41,18 @@ class RedrawSchedule {
   /// An event: input, or the window system wants the window drawn.
   void event() { frames_wanted_ = kFramesPerEvent; }
 
-  /// The window was hidden or shown. A hidden window neither draws nor asks for snapshots.
+  /// The window was hidden or shown. A hidden window neither draws nor asks for snapshots, unless it
+  /// films.
   void set_visible(bool visible);
+  void set_filming(bool filming) { filming_ = filming; }
 
   void snapshot_requested() { requested_ = true; }
   void snapshot_arrived(double now);
 
   /// A message is shown from now on; it replaces an earlier one.
-  void message_shown(double now) { message_ends_ = now + kMessageSeconds; }
+  void message_shown(double now, double seconds = kMessageSeconds) {
+    message_ends_ = now + seconds;
+  }
 
   /// A frame begins. `end_frame` ends it; the three functions between them are called within it.
   void begin_frame(double now);
@@ -87,7 +91,7 @@ class RedrawSchedule {
   double next_deadline() const;
 
   bool slow_gl_;
-  bool visible_ = true;
+  bool visible_ = true, filming_ = false;
   bool started_ = false;    // a snapshot has arrived
   bool fresh_ = false;      // the last one has not been drawn
   bool requested_ = false;  // the next one is on its way

@@ -79,6 +79,16 @@ bool Runner::take() {
   return true;
 }
 
+bool Runner::commands_to_come() {
+  const std::lock_guard lock(mutex_);
+  return !queue_.empty() || busy_since_ > 0;
+}
+
+double Runner::busy_for() const {
+  const double since = busy_since_;
+  return since > 0 ? seconds() - since : 0;
+}
+
 void Runner::loop() {
   try {
     std::vector<Command> commands;
@@ -88,6 +98,7 @@ void Runner::loop() {
       if (session_.hurried() || (session_.running() && pacer_.due(now))) step(now);
       measure(seconds());
       publish();
+      busy_since_ = 0;
     }
   } catch (...) {
     {
@@ -113,6 +124,7 @@ bool Runner::wait_for_work(std::vector<Command>& commands) {
     changed_.wait(lock, called);
   }
   std::swap(commands, queue_);
+  busy_since_ = seconds();
   return !stop_;
 }
 
@@ -120,6 +132,7 @@ void Runner::apply(std::vector<Command>& commands) {
   const bool rested = resting();
   for (const Command& command : commands) session_.apply(command);
   commands.clear();
+  commanded_ = true;
   const double now = seconds();
   pacer_.reschedule(now, step_interval(session_.params().dt, session_.speed()));
   if (rested) measured_from_ = now;
@@ -146,22 +159,23 @@ void Runner::publish() {
   if (!session_.changed()) return;
   const double now = seconds();
   const bool fast = session_.running() && std::isinf(session_.speed());
-  if (fast && now < published_ + kFastInterval) return;
+  if (fast && !commanded_ && now < published_ + kFastInterval) return;
   {
     const std::lock_guard lock(mutex_);
-    if (!requested_) return;
-    requested_ = false;
+    if (!requested_ && !(fresh_ && commanded_)) return;
+    requested_ = commanded_ = false;
   }
   published_ = now;
   session_.fill(*back_, options_.hashed);
   back_->steps_per_second = steps_per_second_;
   back_->microseconds_per_step = microseconds_per_step_;
+  bool told = false;  // of one that is not taken yet
   {
     const std::lock_guard lock(mutex_);
     std::swap(back_, middle_);
-    fresh_ = true;
+    told = std::exchange(fresh_, true);
   }
-  if (options_.notify) options_.notify();
+  if (options_.notify && !told) options_.notify();
 }
 
 }  // namespace pupflow::window

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <functional>
@@ -38,8 +39,15 @@ class Runner {
   /// asked for, as long as that is the last in the queue.
   void send(Command command);
 
-  /// Asks for one snapshot. It is made as soon as something has changed since the last one.
+  /// Asks for one snapshot. It is made as soon as something has changed since the last one. One that
+  /// was not yet taken is made anew after a command, so that its effect is seen at once.
   void request();
+
+  /// Whether something that was sent is not carried out yet.
+  bool commands_to_come();
+
+  /// Seconds for which the runner has been at one step or command; 0 while it waits.
+  double busy_for() const;
 
   /// Takes the requested snapshot if it is ready and returns whether it was; `snapshot()` is then
   /// the new one. Rethrows the exception that ended the runner's thread. `take` and `snapshot` are
@@ -65,6 +73,9 @@ class Runner {
   double published_ = 0;  // when the last snapshot was handed out
   double steps_per_second_ = 0, microseconds_per_step_ = 0;
   int measured_steps_ = 0;
+  bool commanded_ = false;  // since the last snapshot
+
+  std::atomic<double> busy_since_ = 0;  // 0: it waits
 
   // Shared, under the mutex.
   std::mutex mutex_;

@@ -166,10 +166,7 @@ void Session::arrived() {
 void Session::swap_futures() {
   rejected_.clear();
   if (!first_.other()) return;
-  if (second_ && !second_->other()) {
-    rejected_ = "the other future was left before the comparison began; end that first";
-    return;
-  }
+  if (second_ && !second_->other()) return compare_other_future();
   stop();
   for (Litter* litter : litters()) litter->swap();
 }

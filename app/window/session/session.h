@@ -174,6 +174,8 @@ class Session {
   void mark_edit(const std::vector<Edited>& values, bool joins);
   void mark_undone(const std::vector<Edited>& values);
   void compare(const Compare& asked);
+  bool put_beside(std::span<const Setting> different, bool from_now);
+  void compare_other_future();
 
   // session_pulls.cpp
   void pull(const Pull& asked);

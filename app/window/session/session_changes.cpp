@@ -215,7 +215,10 @@ void Session::redo() {
 void Session::mark_edit(const std::vector<Edited>& values, bool joins) {
   std::vector<Run::Mark>& marks = first_.run().marks;
   if (joins && !marks.empty() && marks.back().kind == Timeline::Kind::edit) {
+    const bool taken_back = std::all_of(values.begin(), values.end(),
+                                        [](const Edited& value) { return value.from == value.to; });
     marks.back().text = text_of(values);
+    if (taken_back && marks.back().step == first_.at()) marks.pop_back();
   } else {
     first_.run().add({{first_.at(), {}, Timeline::Kind::edit, text_of(values)}});
   }
@@ -246,18 +249,41 @@ void Session::compare(const Compare& asked) {
     const double value = parameters()[i].get(*asked.with);
     if (value != parameters()[i].get(params())) different.push_back({i, value});
   }
+  put_beside(different, asked.from_now);
+}
+
+/// Has a second litter stand beside the first one. Returns whether it can.
+bool Session::put_beside(std::span<const Setting> different, bool from_now) {
   std::optional<Litter> second;
-  rejected_ = first_.beside(different, asked.from_now, second);
-  if (!second) return;
+  rejected_ = first_.beside(different, from_now, second);
+  if (!second) return false;
   second_ = std::move(second);
+  differing_.clear();
   for (const Setting& setting : different) differing_.push_back(setting.parameter);
   for (Litter* litter : litters()) litter->keep_within(kKeyframeBytes / 2);
-  if (asked.from_now) return;
+  if (from_now) return true;
   const bool played = playing_;
   stop();
   playing_ = played;
   go_to(first_.run().first());
   see_parting();
+  return true;
+}
+
+/// The other future was left before the comparison began: the second litter was not there. It begins
+/// anew beside it, with what is different.
+void Session::compare_other_future() {
+  std::vector<Setting> different;
+  for (const std::size_t place : differing_) {
+    different.push_back({place, parameters()[place].get(second_->params())});
+  }
+  const std::int64_t here = first_.at();
+  stop();
+  first_.swap();
+  first_.forget_parting();
+  if (put_beside(different, false)) return;
+  first_.swap();
+  go_to(here);
 }
 
 }  // namespace pupflow::window

@@ -15,6 +15,9 @@ do for [format in 'png svg'] {
     set terminal svg size 760,500 font 'DejaVu Sans,11' background '#ffffff'
   }
   set output name.'.'.format
+  set border 7
+  set link x2 via x*37/0.6 inverse x*0.6/37
+  set x2tics 10 nomirror out format '%g °C' font ',9' textcolor '#777777'
   set xlabel 'ambient temperature T_a'
   set ylabel 'pup flow (1/s)'
   set yrange [0:*]

@@ -15,7 +15,10 @@ do for [format in 'png svg'] {
     set terminal svg size 980,760 font 'DejaVu Sans,11' background '#ffffff'
   }
   set output name.'.'.format
-  set multiplot layout 2,2 margins 0.09,0.975,0.1,0.95 spacing 0.11,0.14
+  set multiplot layout 2,2 margins 0.09,0.975,0.1,0.92 spacing 0.11,0.18
+  set border 7
+  set link x2 via x*37/0.6 inverse x*0.6/37
+  set x2tics 10 nomirror out format '%g °C' font ',9' textcolor '#777777'
   set xlabel 'ambient temperature T_a'
   set xrange [0:1]
   set yrange [0:*]

@@ -15,7 +15,10 @@ do for [format in 'png svg'] {
     set terminal svg size 1180,400 font 'DejaVu Sans,11' background '#ffffff'
   }
   set output name.'.'.format
-  set multiplot layout 1,3 margins 0.06,0.985,0.15,0.9 spacing 0.075,0
+  set multiplot layout 1,3 margins 0.06,0.985,0.15,0.84 spacing 0.075,0
+  set border 7
+  set link x2 via x*37/0.6 inverse x*0.6/37
+  set x2tics 5 nomirror out format '%g °C' font ',9' textcolor '#777777'
   set xlabel 'ambient temperature T_a'
   set xtics 0.1
   set yrange [0:*]

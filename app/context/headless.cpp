@@ -5,6 +5,8 @@
 
 #include <array>
 #include <functional>
+#include <map>
+#include <mutex>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -38,13 +40,46 @@ bool has_extension(EGLDisplay display, std::string_view name) {
   throw io::Failure(io::ExitCode::no_context, what);
 }
 
-/// A context without any surface on an EGL display, both owned.
+/// An initialised display. EGL knows one by that name however often it is asked for, so the last of
+/// its users terminates it.
+class Display {
+ public:
+  /// Throws Failure(no_context).
+  explicit Display(EGLDisplay display) : display_(display) {
+    if (display_ == EGL_NO_DISPLAY) fail("no such display");
+    const std::lock_guard lock(mutex());
+    if (eglInitialize(display_, nullptr, nullptr) != EGL_TRUE) fail(egl_error());
+    ++users()[display_];
+  }
+  ~Display() {
+    const std::lock_guard lock(mutex());
+    if (--users()[display_] > 0) return;
+    users().erase(display_);
+    eglTerminate(display_);
+  }
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+
+ private:
+  // Never destroyed: contexts may outlive other globals.
+  static std::mutex& mutex() {
+    static auto* const shared = new std::mutex;
+    return *shared;
+  }
+  static std::map<EGLDisplay, int>& users() {
+    static auto* const shared = new std::map<EGLDisplay, int>;
+    return *shared;
+  }
+
+  EGLDisplay display_;
+};
+
+/// A context without any surface on an EGL display.
 class EglContext final : public Context {
  public:
   /// Throws Failure(no_context) with the step that failed.
-  EglContext(std::string name, EGLDisplay display) : name_(std::move(name)), display_(display) {
-    if (display_ == EGL_NO_DISPLAY) fail("no such display");
-    if (eglInitialize(display_, nullptr, nullptr) != EGL_TRUE) fail(egl_error());
+  EglContext(std::string name, EGLDisplay display)
+      : name_(std::move(name)), shared_(display), display_(display) {
     try {
       create();
     } catch (...) {
@@ -86,11 +121,11 @@ class EglContext final : public Context {
   void release() {
     release_current();
     if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
-    eglTerminate(display_);
     eglReleaseThread();
   }
 
   std::string name_;
+  Display shared_;
   EGLDisplay display_;
   EGLContext context_ = EGL_NO_CONTEXT;
 };

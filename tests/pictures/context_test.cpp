@@ -44,6 +44,17 @@ TEST(Context, ProbingLeavesRoomForTheNext) {
   EXPECT_EQ(first.tried, second.tried);
 }
 
+TEST(Context, TheEndOfOneLeavesTheOthers) {
+  ContextReport report;
+  const auto stays = make_headless(report);
+  make_headless(report).reset();
+  EXPECT_NO_THROW(stays->make_current());
+  const std::string all = report.renderer;
+  make_headless(report)->release_current();
+  EXPECT_NO_THROW(stays->make_current());
+  EXPECT_EQ(report.renderer, all);
+}
+
 class NoContext : public ::testing::Test {
  protected:
   // The children start afresh: EGL looks at its environment once in a process.

@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
-#include <iostream>
 
 #include "app/io/child.h"
 #include "app/io/csv.h"
 #include "app/io/failure.h"
-#include "app/io/interrupt.h"
 #include "app/io/machine.h"
 #include "app/io/png.h"
 #include "app/io/provenance.h"
 #include "app/pictures/render.h"
 #include "tests/pictures/gl_test.h"
+#include "tests/pictures/interrupted.h"
 #include "tests/support/scratch.h"
 
 namespace pupflow::pictures {
@@ -127,15 +125,8 @@ TEST(Movie, AnInterruptLeavesNone) {
   GTEST_FLAG_SET(death_test_style, "fast");
   const test::Scratch folder;
   const RenderJob job = small_job(folder);
-  EXPECT_EXIT(
-      {
-        io::watch_for_interrupt();
-        std::raise(SIGINT);
-        const io::Failure what = failure_of(job);
-        std::cerr << what.what() << std::endl;
-        std::_Exit(static_cast<int>(what.code()));
-      },
-      ::testing::ExitedWithCode(130), "no film was written");
+  EXPECT_EXIT(test::end_interrupted([&] { render(job); }), ::testing::ExitedWithCode(130),
+              "no film was written");
   EXPECT_EQ(folder.entries(), 0);
 }
 

@@ -3,19 +3,16 @@
 #include <gmock/gmock.h>
 
 #include <array>
-#include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <set>
 
 #include "app/io/failure.h"
-#include "app/io/interrupt.h"
 #include "app/io/named_field.h"
 #include "app/io/png.h"
 #include "app/io/provenance.h"
 #include "tests/pictures/gl_test.h"
+#include "tests/pictures/interrupted.h"
 #include "tests/support/scratch.h"
 
 namespace pupflow::pictures {
@@ -313,15 +310,8 @@ TEST(Render, AnInterruptKeepsTheFramesSoFar) {
   GTEST_FLAG_SET(death_test_style, "fast");
   const test::Scratch folder;
   const RenderJob job = small_job(folder);
-  EXPECT_EXIT(
-      {
-        io::watch_for_interrupt();
-        std::raise(SIGINT);
-        const io::Failure what = failure_of(job);
-        std::cerr << what.what() << std::endl;
-        std::_Exit(static_cast<int>(what.code()));
-      },
-      ::testing::ExitedWithCode(130), "1 of 3 frames");
+  EXPECT_EXIT(test::end_interrupted([&] { render(job); }), ::testing::ExitedWithCode(130),
+              "1 of 3 frames");
   EXPECT_EQ(folder.entries(), 1);
   EXPECT_EQ(io::read_png(folder.path("0000.png")).height, 240);
 }

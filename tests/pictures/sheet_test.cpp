@@ -94,6 +94,47 @@ TEST(Sheet, WithoutTheBarEndsAtItsPanels) {
   EXPECT_EQ(drawn(job).width, kMargin + 3 * (kPanel + kMargin));
 }
 
+TEST(Sheet, TheLegendOfOverlaysStandsBelow) {
+  const test::Scratch folder;
+  SheetJob job = small_job(folder);
+  job.axes = {{"seed", {1}}};
+  const io::Image without = drawn(job);
+  job.look.overlays = view::OverlaySet::parse("ids,headings,contacts");
+  const io::Image with = drawn(job);
+  EXPECT_EQ(with.width, without.width);
+  ASSERT_GT(with.height, without.height + 15);
+  int ink = 0;
+  for (int y = without.height; y < with.height; ++y) {
+    for (int x = 0; x < with.width; ++x) ink += color_at(with, x, y).g < 128;
+    EXPECT_GT(color_at(with, 0, y).g, 250) << y;
+    EXPECT_GT(color_at(with, with.width - 1, y).g, 250) << y;
+  }
+  EXPECT_GT(ink, 100);
+}
+
+TEST(Sheet, PanelsWithScalesOfTheirOwnHaveBars) {
+  const test::Scratch folder;
+  SheetJob job = small_job(folder);
+  job.axes = {{"ta", {0.2, 0.8}}};
+  job.look.scale = view::ColorScale();
+  job.look.scale.set_ends(view::Ends::automatic);
+  const io::Image shared = drawn(job);
+  job.own_scales = true;
+  const io::Image own = drawn(job);
+  EXPECT_GT(own.width, shared.width + 30);
+  EXPECT_EQ(own.height, shared.height);
+  EXPECT_THAT(io::read_png_text(job.output.path), Contains(Pair("scale", "auto")));
+  // The first panel alone looks the same, its bar included.
+  job.axes = {{"ta", {0.2}}};
+  const io::Image first = drawn(job);
+  const int top = kMargin + kTitle;
+  for (int y = top; y < top + kPanel; ++y) {
+    for (int x = 0; x < first.width - kMargin; ++x) {
+      ASSERT_EQ(color_at(own, x, y), color_at(first, x, y)) << x << " " << y;
+    }
+  }
+}
+
 TEST(Sheet, CarriesItsGrid) {
   const test::Scratch folder;
   SheetJob job = small_job(folder);

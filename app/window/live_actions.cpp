@@ -266,6 +266,7 @@ void LiveWindow::show(const std::string& message) {
   const double reading = kOfCharacter * static_cast<double>(message.size());
   schedule_.message_shown(glfwGetTime(),
                           std::clamp(reading, RedrawSchedule::kMessageSeconds, kLongest));
+  schedule_.event();  // its box takes a frame to fit
 }
 
 }  // namespace pupflow::window

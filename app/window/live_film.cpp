@@ -39,6 +39,7 @@ void LiveWindow::switch_film() {
 void LiveWindow::film_snapshot() {
   if (!film_ || film_frame_) return;
   const LiveState& state = runner_.snapshot();
+  if (film_->picture().litters() > 1 && !state.second) return end_film();  // it could not go on
   const std::int64_t step = state.view().step;
   const bool bad = !state.status.ok();  // the step of the next frame will not come
   if (state.playing || (!bad && !film_->due(step))) return;

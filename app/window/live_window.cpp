@@ -20,9 +20,8 @@ namespace {
 
 /// Where no scene says what is seen.
 constexpr const char* kWelcome =
-    "Pups that are cold turn to where it is warm, and huddle. Make the air colder or warmer with "
-    "T\u2090; "
-    "drag the arena to turn it; click on a pup to look into it. F1 has the keys.";
+    "Cold pups turn to warmth, and huddle. Try another T\u2090, drag the arena, click on a pup. "
+    "F1: help.";
 
 bool drawn_by_processor() {
   const std::string name = gl::renderer_name();

@@ -80,7 +80,7 @@ TEST_F(LiveControls, ADoubleClickOnASliderTypesAndChangesNothingElse) {
     const Box box = widget(name);
     screen_.hand({"mousemove", std::to_string(box.x + 9 * box.width / 10),
                   std::to_string(box.middle_y()), "sleep", "0.1", "click", "--repeat", "2",
-                  "--delay", "60", "1"});
+                  "--delay", "120", "1"});  // not in one frame
     await("text on");
   };
   double_click("ta");

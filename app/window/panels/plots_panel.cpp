@@ -28,10 +28,10 @@ constexpr std::array<PlotSpan, 5> kSpans{
 
 /// Means of rates, which jump from step to step, are drawn over so many seconds.
 constexpr std::array<PlotSpan, 5> kSmoothings{{{0, "raw flow"},
-                                               {0.1, "flow over 0.1 s"},
-                                               {0.5, "flow over 0.5 s"},
-                                               {2, "flow over 2 s"},
-                                               {10, "flow over 10 s"}}};
+                                               {0.1, "flow: 0.1 s"},
+                                               {0.5, "flow: 0.5 s"},
+                                               {2, "flow: 2 s"},
+                                               {10, "flow: 10 s"}}};
 
 constexpr float kTitleLines = 1.3f, kGapLines = 0.3f;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/gl/object.h"
@@ -23,13 +24,23 @@ struct Described {
   std::string title, description;
 };
 
+/// With the subscripts of the typeface.
+std::string with_subscripts(std::string text) {
+  for (const auto& [written, set] : {std::pair{"T_a", "T\u2090"}, std::pair{"T_p", "T\u209a"}}) {
+    for (std::size_t at = text.find(written); at != text.npos; at = text.find(written)) {
+      text.replace(at, std::string_view(written).size(), set);
+    }
+  }
+  return text;
+}
+
 const std::vector<Described>& shipped() {
   static const std::vector<Described> all = [] {
     std::vector<Described> scenes;
     for (const io::ShippedScene& scene : io::shipped_scenes()) {
       std::vector<std::string> none;
       const io::Scene read = io::parse_scene(scene.text, std::string(scene.name), none);
-      scenes.push_back({scene.name, read.title, read.description});
+      scenes.push_back({scene.name, read.title, with_subscripts(read.description)});
     }
     return scenes;
   }();

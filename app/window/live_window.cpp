@@ -79,7 +79,8 @@ void LiveWindow::run() {
     follow_visibility();
     const bool drawn = arena_.collect(), second_drawn = second_ && second_->view.collect();
     if (drawn || second_drawn) schedule_.panels_changed();
-    exchange_snapshots(now);
+    // A picture is seen with the marks of its own snapshot before the next one comes.
+    if (!schedule_.visible() || !(drawn || second_drawn)) exchange_snapshots(now);
     feed_film();
     if (runner_.busy_for() > kLongStep) schedule_.panels_changed();
     if (schedule_.frame_due(now)) frame(now);

@@ -96,10 +96,10 @@ void XClient::cover() {
   XSetWindowAttributes attributes{};
   attributes.override_redirect = True;
   const int screen = DefaultScreen(display);
-  impl_->over = XCreateWindow(display, impl_->root(), 0, 0,
-                              static_cast<unsigned>(DisplayWidth(display, screen)),
-                              static_cast<unsigned>(DisplayHeight(display, screen)), 0,
-                              CopyFromParent, InputOutput, nullptr, CWOverrideRedirect, &attributes);
+  impl_->over = XCreateWindow(
+      display, impl_->root(), 0, 0, static_cast<unsigned>(DisplayWidth(display, screen)),
+      static_cast<unsigned>(DisplayHeight(display, screen)), 0, CopyFromParent, InputOutput,
+      nullptr, CWOverrideRedirect, &attributes);
   XMapRaised(display, impl_->over);
   XFlush(display);
 }
@@ -126,8 +126,8 @@ void XClient::drop(const std::string& path) {
   const XSelectionRequestEvent asked =
       impl_->await(SelectionRequest, "the question for the dropped file").xselectionrequest;
   const std::string list = "file://" + path + "\r\n";
-  XChangeProperty(impl_->display, asked.requestor, asked.property, asked.target, 8,
-                  PropModeReplace, reinterpret_cast<const unsigned char*>(list.data()),
+  XChangeProperty(impl_->display, asked.requestor, asked.property, asked.target, 8, PropModeReplace,
+                  reinterpret_cast<const unsigned char*>(list.data()),
                   static_cast<int>(list.size()));
   XEvent answer{};
   answer.xselection.type = SelectionNotify;

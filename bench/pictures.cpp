@@ -21,9 +21,10 @@ void whole_frames(int rounds, Verdicts& verdicts) {
     int width, height;
   };
   const Params twelve = huddling(Precision::float_);
-  const Case cases[] = {{twelve, kLanded, kPictureWidth, kPictureHeight},
-                        {twelve, kLanded, kPictureWidth / 2, kPictureHeight / 2},
-                        {crowd(kMany, Precision::float_), kManySteps, kPictureWidth, kPictureHeight}};
+  const Case cases[] = {
+      {twelve, kLanded, kPictureWidth, kPictureHeight},
+      {twelve, kLanded, kPictureWidth / 2, kPictureHeight / 2},
+      {crowd(kMany, Precision::float_), kManySteps, kPictureWidth, kPictureHeight}};
   std::printf("\n| whole frame, ms of processor | today | as version 0.1.0 | through today |\n");
   std::printf("|---|---|---|---|\n");
   for (const Case& each : cases) {

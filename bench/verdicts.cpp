@@ -57,9 +57,12 @@ constexpr Aim kAims[] = {
     {"1,000 pups, one thread through two, in double", kAtLeast, 1.6, 1.773},
     {"`pupflow run --steps 0`, ms", kAtMost, 50, 6.609},
     {"drawing the litter through the baseline's drawing", kAtMost, 1.3, 1.28},
-    {"a frame as version 0.1.0 drew it through one of today, 12 pups, 1280 × 960", kAtLeast, 3, kNone},
-    {"a frame as version 0.1.0 drew it through one of today, 12 pups, 640 × 480", kAtLeast, 2, kNone},
-    {"a frame as version 0.1.0 drew it through one of today, 1000 pups, 1280 × 960", kAtLeast, 4, kNone},
+    {"a frame as version 0.1.0 drew it through one of today, 12 pups, 1280 × 960", kAtLeast, 3,
+     kNone},
+    {"a frame as version 0.1.0 drew it through one of today, 12 pups, 640 × 480", kAtLeast, 2,
+     kNone},
+    {"a frame as version 0.1.0 drew it through one of today, 1000 pups, 1280 × 960", kAtLeast, 4,
+     kNone},
 };
 
 void print_row(const Aim& aim, double measured) {

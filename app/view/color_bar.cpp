@@ -251,7 +251,8 @@ ColorBarMargins color_bar_margins(const ColorScale& scale, const ColorBarStyle& 
   const double right = style.titled ? std::max(5.0, labels + 1.6 * kTitle) : labels;
   const double left =
       has_celsius(scale, style) ? kTick + kGap + kDigit * longest_celsius(scale) : 2.1;
-  return {static_cast<int>(std::lround(left * style.text_size)),
+  const int beside_bar = has_celsius(scale, style) ? 2 : 0;  // pixels; ticks begin one off the bar
+  return {beside_bar + static_cast<int>(std::lround(left * style.text_size)),
           static_cast<int>(std::lround(right * style.text_size))};
 }
 

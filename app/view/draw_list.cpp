@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/view/draw_list_body.h"
+#include "app/view/body.h"
 
 namespace pupflow::view {
 

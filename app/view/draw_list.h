@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/view/body.h"
 #include "app/view/camera.h"
 #include "app/view/color_scale.h"
 #include "app/view/drawing.h"
@@ -16,13 +17,6 @@
 #include "pupflow/view.h"
 
 namespace pupflow::view {
-
-/// A place and its color, lit, laid out as it is uploaded. `a` is the share that it covers.
-struct Vertex {
-  float x, y, z;  // arena units
-  std::uint8_t r, g, b, a;
-};
-static_assert(sizeof(Vertex) == 16);
 
 /// Triangles of vertices.
 struct Triangles {
@@ -66,8 +60,6 @@ class DrawList {
   const ColorScale& scale() const { return scale_; }  // of the last update, fitted
 
  private:
-  struct Body;  // what is known of one pup while it is added
-
   void find_bodies(const LitterView& litter);
   bool is_small(const Body& body) const;
   void add_ellipsoid(const Body& body, const Light& light);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/view/body.h"
 #include "app/view/draw_list.h"
-#include "app/view/draw_list_body.h"
 
 namespace pupflow::view {
 

@@ -55,8 +55,8 @@ TEST(Settings, ListsAllProblemsOfAllSources) {
   settings.seed = "x";
   const std::string message = failure_of(ExitCode::bad_input, [&] { set_up(settings); });
   for (const char* part : {"s.toml:1:9: alpha = 3", "unknown parameter 'bta'; did you mean 'beta'?",
-                           "--set pups: must be name=value", "--set: k1 = -1", "--seed: seed = 'x'",
-                           "arena radius must exceed"}) {
+                           "--set 'pups': must be name=value", "--set: k1 = -1",
+                           "--seed: seed = 'x'", "arena radius must exceed"}) {
     EXPECT_THAT(message, HasSubstr(part));
   }
   EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 5);

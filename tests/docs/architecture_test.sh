@@ -25,7 +25,7 @@ there() {
 
 # shellcheck disable=SC2016  # the quotes are the page's
 names=$(grep -oE '`[A-Za-z0-9_./*-]+`' "$page" | tr -d '`' | grep -E '/|\.(h|cpp|inl|md|py|txt|sh|json|glsl|\*)$' |
-  grep -vE '^(pupflow/…|build/.*|\./.*)$' | sort -u)
+  grep -vE '^(pupflow/…|build/.*|\./.*|/.*)$' | sort -u)
 for name in $names; do
   there "$name" || complain "names $name, which is not there"
 done

@@ -59,9 +59,9 @@ TEST(PlotScript, MarksPreferredAndCriticalTemperatureOnTheAxis) {
 
 TEST(PlotScript, TemperaturesHaveAnAxisInDegrees) {
   const std::string ta = script_of(small_design({"ta=0:1:3"}, 2), {0.2, 0.6, 1.1});
-  EXPECT_EQ(count(ta, "set link x2"), 1);
+  EXPECT_EQ(count(ta, " set link x2"), 1);
   EXPECT_THAT(ta, HasSubstr("via x*37/0.6 inverse x*0.6/37\n  set x2tics 10 "));
-  EXPECT_EQ(count(ta, "set link y2"), 1) << "panel A";
+  EXPECT_EQ(count(ta, " set link y2"), 1) << "panel A";
   EXPECT_THAT(script_of(small_design({"tp=0.5:0.6:3"}, 2)), HasSubstr("set x2tics 1 "));
   const std::string beta = script_of(small_design({"beta=0,0.5"}, 2));
   EXPECT_THAT(beta, AllOf(Not(HasSubstr("set link x2")), HasSubstr("set link y2")));

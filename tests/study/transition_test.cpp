@@ -55,7 +55,7 @@ TEST(TransitionFinder, FindsSteepestFallPeaksAndTheRangeHeld) {
       "0.539 (33.2 °C)\n"
       "the standard deviation of A is highest, 0.3, at T_a 0.500 (30.8 °C)\n"
       "pup flow (lag 1) is highest, 5 /s, at T_a 0.800 (49.3 °C)\n"
-      "mean T_b is within 0.03 of T_p over T_a 0.450 (27.8 °C) to 0.608 (37.5 °C)\n");
+      "mean T_b is within 0.03 of T_p over T_a 0.450 (27.7 °C) to 0.608 (37.5 °C)\n");
 }
 
 TEST(TransitionFinder, FindsTheSameInAnyOrderOfTheValues) {

@@ -1,14 +1,25 @@
-// What the files of DrawList share.
+// One pup while it is added to what there is to draw.
 #pragma once
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
-#include "app/view/draw_list.h"
+#include "app/view/light.h"
+#include "app/view/rgb.h"
 
 namespace pupflow::view {
 
+/// A place and its color, lit, laid out as it is uploaded. `a` is the share that it covers.
+struct Vertex {
+  float x, y, z;  // arena units
+  std::uint8_t r, g, b, a;
+};
+static_assert(sizeof(Vertex) == 16);
+
+/// The color in a light of this brightness (1: as it is).
 inline Vertex lit(const Eigen::Vector3f& place, Rgb color, float brightness,
                   std::uint8_t cover = 255) {
   const auto byte = [&](std::uint8_t c) {
@@ -17,7 +28,8 @@ inline Vertex lit(const Eigen::Vector3f& place, Rgb color, float brightness,
   return {place.x(), place.y(), place.z(), byte(color.r), byte(color.g), byte(color.b), cover};
 }
 
-struct DrawList::Body {
+/// A pup, and how it is looked at.
+struct Body {
   std::size_t pup;
   std::span<const float> xyz;
   const Ball& ball;

@@ -177,9 +177,12 @@ void Hdf5Reader::open() {
 }
 
 void Hdf5Reader::look_around() {
-  // HDF5 may crash as it closes a damaged file, too.
-  const std::unique_ptr<Handle, void (*)(Handle*)> closed_at_the_end(
-      &file_, [](Handle* file) { *file = Handle(-1, H5Fclose); });
+  // HDF5 may crash as it closes a damaged file, too. Where it wrote behind a buffer of its own, free()
+  // finds that as the buffer is given back.
+  const std::unique_ptr<Handle, void (*)(Handle*)> closed_at_the_end(&file_, [](Handle* file) {
+    *file = Handle(-1, H5Fclose);
+    H5garbage_collect();
+  });
   open();
   static_cast<void>(text());
   for (const SetInfo& set : sets()) {

@@ -1,5 +1,6 @@
-// A file that HDF5 crashes on as it closes it. This program's own H5Fclose stands for that: it crashes
-// in the process in which a file is tried first.
+// Files that HDF5 crashes on as it closes them, or as it gives its memory back, where free() finds what
+// was written behind a buffer. This program's own functions of HDF5's names stand for that: they crash in
+// the process in which a file is tried first.
 #include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,14 +16,23 @@
 namespace {
 
 const pid_t test_process = ::getpid();
-bool crashes = false;
+enum class Crash { none, as_it_closes, as_it_gives_back } crash = Crash::none;
+
+void crash_at(Crash place) {
+  if (crash == place && ::getpid() != test_process) std::raise(SIGSEGV);
+}
 
 }  // namespace
 
 extern "C" herr_t H5Fclose(hid_t file) {
-  if (crashes && ::getpid() != test_process) std::raise(SIGSEGV);
+  crash_at(Crash::as_it_closes);
   static const auto close = reinterpret_cast<herr_t (*)(hid_t)>(::dlsym(RTLD_NEXT, "H5Fclose"));
   return close(file);
+}
+
+extern "C" herr_t H5garbage_collect() {
+  crash_at(Crash::as_it_gives_back);
+  return 0;
 }
 
 namespace pupflow::io {
@@ -36,9 +46,11 @@ TEST(Hdf5Closing, ACrashIsARefusal) {
   params.face_points = 2;
   write_checkpoint(path, false, Simulation(params));
   EXPECT_EQ(read_checkpoint(path).params.pups, 1);
-  crashes = true;
-  EXPECT_THAT(test::failure_of(ExitCode::bad_file, [&] { read_checkpoint(path); }),
-              ::testing::HasSubstr("is damaged: HDF5 cannot read it"));
+  for (const Crash place : {Crash::as_it_closes, Crash::as_it_gives_back}) {
+    crash = place;
+    EXPECT_THAT(test::failure_of(ExitCode::bad_file, [&] { read_checkpoint(path); }),
+                ::testing::HasSubstr("is damaged: HDF5 cannot read it"));
+  }
 }
 
 }  // namespace

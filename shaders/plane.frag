@@ -5,6 +5,7 @@ in vec2 place;
 
 uniform float floor_radius;
 uniform float outer_radius;
+uniform float slab_depth;
 uniform vec3 floor_color;
 uniform vec3 slab_color;
 uniform float spacing;    // of the grid; 0: none
@@ -34,11 +35,11 @@ void main() {
   }
   if (lit) color *= texture(light, place / (2.0 * floor_radius) + 0.5).r;
   color = mix(slab_color, color, clamp((floor_radius - r) / pixel + 0.5, 0.0, 1.0));
-  // On the near side the slab's own side goes on below the edge.
-  bool near = dot(place, perspective ? eye.xy - place : backward.xy) > 0.0;
-  if (near && r < outer_radius) {
-    color = mix(0.82 * slab_color, color, cover);
-    cover = 1.0;
-  }
+  // On the near side the slab's own side goes on below the edge, as far as it is seen from here.
+  vec3 towards = perspective ? eye - vec3(place, 0.0) : backward;
+  float below = slab_depth * dot(place / max(r, 1e-6), towards.xy) / max(abs(towards.z), 1e-3);
+  float side = min(clamp(below / pixel, 0.0, 1.0), 1.0 - cover);
+  color = (cover * color + side * 0.82 * slab_color) / (cover + side);
+  cover += side;
   fragment = vec4(color, cover);
 }

@@ -8,11 +8,13 @@ uniform vec3 backward;
 uniform bool perspective;
 uniform float radius;
 uniform float height;
+uniform float side_height;  // of what the line is the foot of
 uniform int segments;
 uniform vec2 half_viewport;  // pixels
 uniform float half_width;    // pixels, the soft edge included
 
 noperspective out float across;  // pixels from the middle of the line
+out float shown;                 // share of a pixel of the side that is seen
 
 void main() {
   float angle = 6.2831853 * float(gl_VertexID / 2) / float(segments);
@@ -22,6 +24,7 @@ void main() {
   // In front of the surfaces that meet there, which lie nearer than the line beside its middle.
   float pixel = place.w / (clip_from_eye[1][1] * half_viewport.y);
   vec3 towards = perspective ? normalize(eye - world) : backward;
+  shown = side_height > 0.0 ? side_height * dot(world.xy / radius, towards.xy) / pixel : 1.0;
   vec4 nearer = clip_from_world * vec4(world + 4.0 * half_width * pixel * towards, 1.0);
   vec4 ahead = clip_from_world * vec4(-sin(angle), cos(angle), 0.0, 0.0);
   vec2 direction = (ahead.xy * place.w - place.xy * ahead.w) * half_viewport;

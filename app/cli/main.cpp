@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <new>
 #include <span>
 #include <stdexcept>
@@ -141,6 +142,22 @@ void take_end_by_library(int status, void*) {
   _exit(static_cast<int>(ExitCode::bad_input));
 }
 
+std::terminate_handler terminate_otherwise = nullptr;
+
+/// Ends the program without memory where std::bad_alloc leaves a function that is noexcept. CLI11 has
+/// such functions that copy strings: get_option_no_throw, _find_subcommand.
+[[noreturn]] void take_terminate() {
+  try {
+    if (std::current_exception()) throw;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "pupflow: %s\n", kNoMemory);
+    _exit(static_cast<int>(ExitCode::bad_input));
+  } catch (...) {
+    terminate_otherwise();
+  }
+  std::abort();
+}
+
 /// Opens those of standard input, output and error that are closed: a file that is opened later would
 /// otherwise get its number, and then what is printed.
 void open_standard_streams() {
@@ -160,6 +177,7 @@ int guarded_main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that reaches its size limit
   on_exit(take_end_by_library, nullptr);
+  terminate_otherwise = std::set_terminate(take_terminate);
   io::watch_for_interrupt();
   const bool silent = is_silent_rank(argc, argv);
   const auto report = [&](const char* message, ExitCode code) {

@@ -287,10 +287,11 @@ void Renderer::draw_scene(const view::CameraMatrices& matrices, bool from_below,
   glDepthMask(GL_FALSE);
   draw_soft_edges(matrices);
   draw_wall(matrices, arena_radius_, 0, wall_height_, palette.glass, true);
-  const float bottom = -view::kSlabDepth * arena_radius_;
-  draw_rim(matrices, viewport, outside, bottom, 1, mixed(palette.slab, palette.rim, kFootShade));
-  draw_rim(matrices, viewport, arena_radius_, 0, 0.5f, palette.rim);
-  draw_rim(matrices, viewport, arena_radius_, wall_height_, 1, palette.rim);
+  const float slab = view::kSlabDepth * arena_radius_;
+  draw_rim(matrices, viewport, outside, -slab, 1, mixed(palette.slab, palette.rim, kFootShade),
+           from_below ? 0 : slab);
+  draw_rim(matrices, viewport, arena_radius_, 0, 0.5f, palette.rim, 0);
+  draw_rim(matrices, viewport, arena_radius_, wall_height_, 1, palette.rim, 0);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);

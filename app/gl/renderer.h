@@ -73,8 +73,10 @@ class Renderer {
   void draw_soft_edges(const view::CameraMatrices& matrices);
   void draw_wall(const view::CameraMatrices& matrices, float radius, float bottom, float top,
                  view::Rgb color, bool glass);
+  /// A line that is the foot of a side of height `side` fades where less than a pixel of it is seen;
+  /// 0: it never does.
   void draw_rim(const view::CameraMatrices& matrices, const Viewport& viewport, float radius,
-                float height, float opacity, view::Rgb color);
+                float height, float opacity, view::Rgb color, float side);
 
   Program spheres_program_, sphere_edges_program_, ellipsoids_program_, skin_program_,
       plane_program_, wall_program_, rim_program_, resolve_program_;

@@ -23,6 +23,7 @@ void Renderer::draw_floor(const view::CameraMatrices& matrices, bool from_below,
   glUniform1f(plane_program_.uniform("height"), from_below ? -view::kSlabDepth * arena_radius_ : 0);
   glUniform1f(plane_program_.uniform("floor_radius"), arena_radius_);
   glUniform1f(plane_program_.uniform("outer_radius"), outside);
+  glUniform1f(plane_program_.uniform("slab_depth"), view::kSlabDepth * arena_radius_);
   glUniform1f(plane_program_.uniform("spacing"), grid ? kGridSpacing : 0);
   glUniform1f(plane_program_.uniform("line_width"), line_scale_);
   glUniform1f(plane_program_.uniform("grid_shade"), kGridShade);
@@ -54,12 +55,13 @@ void Renderer::draw_wall(const view::CameraMatrices& matrices, float radius, flo
 }
 
 void Renderer::draw_rim(const view::CameraMatrices& matrices, const Viewport& viewport,
-                        float radius, float height, float opacity, view::Rgb color) {
+                        float radius, float height, float opacity, view::Rgb color, float side) {
   set_camera(rim_program_, matrices);
   set_color(rim_program_, "color", color);
   glUniform1f(rim_program_.uniform("radius"), radius);
   glUniform1f(rim_program_.uniform("height"), height);
   glUniform1f(rim_program_.uniform("opacity"), opacity);
+  glUniform1f(rim_program_.uniform("side_height"), side);
   glUniform1f(rim_program_.uniform("half_width"), kRimWidth / 2 * line_scale_ + 0.5f);
   glUniform2f(rim_program_.uniform("half_viewport"), static_cast<float>(viewport.width) / 2,
               static_cast<float>(viewport.height) / 2);

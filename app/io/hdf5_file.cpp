@@ -1,6 +1,7 @@
 #include "app/io/hdf5_file.h"
 
 #include <algorithm>
+#include <new>
 
 #include "app/io/checksum.h"
 #include "app/io/failure.h"
@@ -52,7 +53,8 @@ hid_t text_type() {
 void quiet_hdf5() {
   static const herr_t before_all_else = H5dont_atexit();
   static_cast<void>(before_all_else);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  // What fails here is an allocation, and HDF5 is not usable after it.
+  if (H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) < 0) throw std::bad_alloc();
 }
 
 hid_t hdf5_type(NumberType type) {

@@ -36,7 +36,8 @@ class Handle {
 
 /// HDF5 prints its own account of every error, and crashes at the end of the program where a file
 /// could not be closed because the disk is full. From now on it does neither, on this thread; files
-/// that are opened here see to it.
+/// that are opened here see to it. Throws std::bad_alloc where HDF5 cannot start; HDF5 has then printed
+/// why.
 void quiet_hdf5();
 
 /// HDF5's name for such numbers in memory.

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "app/pictures/sheet.h"
+#include "app/pictures/sheet_job.h"
 #include "app/view/canvas.h"
 #include "app/view/color_bar.h"
 #include "app/view/marks.h"

@@ -89,7 +89,7 @@ class CliWords : public testing::Test {
 
 TEST_F(CliWords, AreItsOwnForEveryOptionAndValue) {
   // Everywhere; and where an option is met first, since its check is the same in all verbs.
-  const Words usual{"", "abc"};
+  const Words usual{"abc"};
   const Words all_values{"",       "abc",      "-1", "1e400", "nan", "99999999999999999999",
                          "folder", "none.toml"};
   std::set<std::string> met;

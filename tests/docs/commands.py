@@ -9,6 +9,7 @@ NOT_RUN = [
     (r"^cmake --preset ", "a build of the program; ./check makes two"),
     (r"^cmake --(build|install) build/release(?! --component)", "installs for all users; tests/packages does it in a folder"),
     (r"^scripts/packages", "builds the program as Debian installs it"),
+    (r"^scripts/systems", "builds the program in systems of its own"),
     (r"^(build/\S*/tests/|scripts/fuzz)", "fuzzing; ./check replays what it found"),
     (r"^pupflow report (error|stability|validation)( --quick)?( *#| *$)", "takes minutes; tests/report makes it with --quick"),
     (r"^(bench/|build/bench/|PYTHONPATH=build/bench/|perf )", "measures times, and no test looks at those"),
@@ -62,7 +63,7 @@ REPLACED = [
 MACHINE = [r"µs|^At that rate|^whole step|^(boundary|contact|steering|heat|predict|shape_match|observables|- ) ", r" s\b.* steps?", r", checksum "]
 
 # Options that pages name and no help shows.
-FOREIGN = ("--enable-recovery", "--test-events")  # mpirun's; for tests
+FOREIGN = ("--enable-recovery", "--test-events", "--mutate", "--no-install")  # of mpirun, tests and scripts
 
 RUN = ("sh", "bash", "console", "python", "gnuplot")  # languages of blocks that are run
 SHOWN = ("cpp", "cmake")  # those that a file of docs/examples holds

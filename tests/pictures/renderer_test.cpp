@@ -317,7 +317,7 @@ TEST_F(RendererTest, DrawsIntoAPartOfTheBoundFramebuffer) {
   }
 }
 
-TEST_F(RendererTest, ATextureIsCopiedPixelByPixel) {
+TEST_F(RendererTest, ASharedPictureCopiesItsPixels) {
   Target source, destination;
   source.resize(20, 10);
   destination.resize(40, 30);
@@ -326,9 +326,9 @@ TEST_F(RendererTest, ATextureIsCopiedPixelByPixel) {
     glClearColor(red, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
   }
-  SharedPicture picture;
-  picture.show(source.texture(), 20, 10);
-  picture.copy_to(destination.framebuffer(), 5, 2, {0, 0, 20, 10});
+  SharedPicture shown;
+  shown.show(source.texture(), source.width(), source.height());
+  shown.copy_to(destination.framebuffer(), 5, 2, {0, 0, 20, 10});
   const io::Image image = destination.read();
   int red = 0;
   for (int y = 0; y < 30; ++y) {

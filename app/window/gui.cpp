@@ -59,6 +59,7 @@ void Gui::begin_frame() {
   follow_scale();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  if (!kQueuesClicks) buttons_.apply(ImGui::GetIO());
   ImGui::NewFrame();
 }
 
@@ -79,6 +80,10 @@ void Gui::key(int code, int scancode, int action, int mods) {
   }
   if (action == GLFW_PRESS) pressed_.push_back(code);
   ImGui_ImplGlfw_KeyCallback(window_.handle(), code, scancode, action, mods);
+}
+
+void Gui::mouse_button(int button, int action) {
+  if (!kQueuesClicks) buttons_.changed(button, action == GLFW_PRESS, glfwGetTime());
 }
 
 void Gui::draw() {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/context/glfw_window.h"
+#include "app/window/mouse_buttons.h"
 #include "app/window/theme.h"
 
 namespace pupflow::window {
@@ -21,6 +22,11 @@ class Gui {
 
   /// Passes on what GLFW's key callback was told. A tap shorter than a frame still lasts for one.
   void key(int code, int scancode, int action, int mods);
+
+  /// Passes on what GLFW's callback for mouse buttons was told.
+  void mouse_button(int button, int action);
+  /// There are clicks left for the frames to come.
+  bool clicks_wait() const { return buttons_.waiting(); }
 
   /// From the next frame on. `ui_scale` enlarges text and widgets; 0 follows the display, also when
   /// the window moves to another one.
@@ -51,6 +57,7 @@ class Gui {
   std::optional<Theme> applied_;
   float scale_ = 0, density_ = 0;
   Fonts fonts_;
+  MouseButtons buttons_;
   std::vector<int> pressed_;       // keys that went down since the last frame
   std::vector<Release> released_;  // of these, those that are up again
 };

@@ -92,6 +92,9 @@ inline void show_key_cursor() {
 #endif
 }
 
+/// Since 1.87 a frame sees one change of a mouse button at most.
+constexpr bool kQueuesClicks = IMGUI_VERSION_NUM >= 18700;
+
 /// Whether a key went down, or repeats. Before 1.87 keys of Dear ImGui were places in a table.
 inline bool key_pressed(ImGuiKey key) {
 #if IMGUI_VERSION_NUM >= 18700

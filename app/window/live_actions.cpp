@@ -35,7 +35,10 @@ void LiveWindow::install_callbacks() {
   glfwSetWindowUserPointer(handle, this);
   const auto event = [](GLFWwindow* w, auto...) { window_of(w).schedule_.event(); };
   glfwSetCharCallback(handle, event);
-  glfwSetMouseButtonCallback(handle, event);
+  glfwSetMouseButtonCallback(handle, [](GLFWwindow* w, int button, int action, int) {
+    window_of(w).schedule_.event();
+    if (window_of(w).gui_) window_of(w).gui_->mouse_button(button, action);
+  });
   glfwSetScrollCallback(handle, event);
   glfwSetCursorPosCallback(handle, event);
   glfwSetCursorEnterCallback(handle, event);

@@ -153,6 +153,7 @@ void LiveWindow::frame(double now) {
   } else if (const double busy = runner_.busy_for(); busy > kLongStep) {
     draw_message(layout.arena, io::formatted("one step or change takes long: %.0f s so far", busy));
   }
+  if (gui_->clicks_wait()) schedule_.event();
   if (io.WantTextInput) schedule_.cursor_shown(now);
   if (const auto due = tips_.due()) schedule_.wake_at(*due);
   if (const double rest = std::exchange(controls_.wake_in, 0); rest > 0) {

@@ -94,9 +94,10 @@ void draw_notices(const Area& arena, const PanelInput& in) {
 
 void draw_message(const Area& arena, const std::string& text) {
   if (text.empty()) return;
+  constexpr float kScaleBar = 3;  // room of the scale bar at the lower edge, of the text size
   const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({arena.middle().x, arena.corner.y + arena.size.y - em}, ImGuiCond_Always,
-                          {0.5f, 1});
+  ImGui::SetNextWindowPos({arena.middle().x, arena.corner.y + arena.size.y - kScaleBar * em},
+                          ImGuiCond_Always, {0.5f, 1});
   ImGui::SetNextWindowBgAlpha(0.92f);
   ImGui::Begin("message", nullptr, kFloating | ImGuiWindowFlags_NoInputs);
   ImGui::PushTextWrapPos(arena.size.x - 3 * em);

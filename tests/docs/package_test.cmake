@@ -79,7 +79,7 @@ if(library)
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/shared -B ${WORK}/build -G ${GENERATOR}
     -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF
     RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE words)
-  if(NOT result OR NOT words MATCHES "libpupflow\\.so.* is missing")
+  if(NOT result OR NOT words MATCHES "libpupflow\\.so[.0-9]*[ \n]+is[ \n]+missing")  # CMake breaks lines
     message(FATAL_ERROR "without the shared library, asking for it gave:\n${words}")
   endif()
   run(${CMAKE_COMMAND} --install ${BUILD} --component library --config ${CONFIG} --prefix ${WORK}/prefix)

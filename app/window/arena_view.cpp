@@ -11,7 +11,7 @@ namespace pupflow::window {
 namespace {
 
 /// What takes no longer is waited for, so that it is in the same frame as the panels; seconds.
-constexpr double kQuick = 0.012;
+constexpr double kQuick = 0.025;
 
 constexpr double kForever = 3600;  // seconds
 

@@ -7,25 +7,15 @@
 #include "app/context/headless.h"
 #include "app/io/failure.h"
 #include "app/pictures/figure1.h"
+#include "tests/pictures/as_program.h"
 #include "tests/support/scratch.h"
 
 namespace pupflow::context {
 namespace {
 
+using test::run_as_program;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-/// Runs `work` as the program would: failures go to standard error and become the exit code.
-template <class Work>
-[[noreturn]] void run_as_program(Work work) {
-  try {
-    work();
-  } catch (const io::Failure& failure) {
-    std::cerr << failure.what() << std::endl;
-    std::_Exit(static_cast<int>(failure.code()));
-  }
-  std::_Exit(0);
-}
 
 TEST(Context, HeadlessReportsWhatItChose) {
   ContextReport report;

@@ -12,8 +12,8 @@
 #include "app/io/png.h"
 #include "app/io/provenance.h"
 #include "app/pictures/render.h"
+#include "tests/pictures/as_program.h"
 #include "tests/pictures/gl_test.h"
-#include "tests/pictures/interrupted.h"
 #include "tests/support/scratch.h"
 
 namespace pupflow::pictures {

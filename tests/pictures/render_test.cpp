@@ -11,8 +11,8 @@
 #include "app/io/named_field.h"
 #include "app/io/png.h"
 #include "app/io/provenance.h"
+#include "tests/pictures/as_program.h"
 #include "tests/pictures/gl_test.h"
-#include "tests/pictures/interrupted.h"
 #include "tests/support/scratch.h"
 
 namespace pupflow::pictures {

@@ -22,3 +22,9 @@ function(pupflow_target target)
   # Linkage tables are filled at the start and read-only from then on.
   target_link_options(${target} PRIVATE $<$<PLATFORM_ID:Linux>:-Wl,-z,relro,-z,now>)
 endfunction()
+
+# pupflow_alone(FILE...): compiles each of these by itself where several files are compiled as one (presets
+# check and engine, for the compiler's time): a local name of theirs is one of another file too.
+function(pupflow_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()

@@ -37,7 +37,7 @@ void take(const std::string& option, std::string_view name, std::string_view val
 void take_set(const std::string& set, Params& params, std::vector<std::string>& problems) {
   const std::size_t equals = set.find('=');
   if (equals == std::string::npos) {
-    problems.push_back("--set " + quoted(set) + ": must be name=value, e.g. --set ta=0.2");
+    problems.push_back("--set " + io::quoted(set) + ": must be name=value, e.g. --set ta=0.2");
     return;
   }
   take("--set", set.substr(0, equals), set.substr(equals + 1), params, problems);

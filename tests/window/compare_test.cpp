@@ -214,5 +214,19 @@ TEST(Compare, ARunFromACheckpoint) {
   EXPECT_THAT(differences(look_at(session)), testing::ElementsAre("ta"));
 }
 
+// The second litter's former run ends at step 0: it was begun, and both were begun anew before it took a step.
+TEST(Compare, FormerRunsOfDifferentLengthsAreGoneToAtTheSameStep) {
+  Session session(small_litter(), true);
+  play(session, 60);
+  compare(session, "ta", 0.9);
+  set(session, "pups", 2);
+  play(session, 20);
+  have(session, SwapFuture{});
+  const LiveState state = look_at(session);
+  ASSERT_TRUE(state.second);
+  EXPECT_EQ(state.view().step, 60);
+  EXPECT_EQ(state.second->view().step, 60);
+}
+
 }  // namespace
 }  // namespace pupflow::window

@@ -169,6 +169,7 @@ void Session::swap_futures() {
   if (second_ && !second_->other()) return compare_other_future();
   stop();
   for (Litter* litter : litters()) litter->swap();
+  if (second_) go_to(first_.run().last);  // the former runs may have ended at different steps
 }
 
 void Session::step() {

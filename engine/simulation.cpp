@@ -130,9 +130,12 @@ void Simulation::set_params(const Params& params) {
 
 void Simulation::set_schedule(const Schedule& schedule) {
   Params recipe = model_->recipe;
-  recipe.schedule = {};
-  for (const Change& change : model_->recipe.schedule.changes()) {
-    if (change.step < steps_done()) recipe.schedule.add(change);
+  const auto old = model_->recipe.schedule.changes();
+  if (!old.empty() && old.back().step >= steps_done()) {
+    recipe.schedule = {};
+    for (const Change& change : old) {
+      if (change.step < steps_done()) recipe.schedule.add(change);
+    }
   }
   for (const Change& change : schedule.changes()) {
     if (change.step >= steps_done()) recipe.schedule.add(change);

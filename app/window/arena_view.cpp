@@ -27,7 +27,7 @@ ArenaView::ArenaView(const context::GlfwWindow& window, const pictures::Look& lo
   give({.work =
             [this, shaders = look.shader_dir] {
               context_.make_current();
-              studio_.emplace(Studio{gl::Renderer(shaders), {}});
+              drawer_.emplace(Drawer{gl::Renderer(shaders), {}});
             },
         .done = {},
         .holds = false});
@@ -44,7 +44,7 @@ ArenaView::~ArenaView() {
   };
   wait();
   worker_.start([this] {
-    studio_.reset();
+    drawer_.reset();
     context_.release_current();
   });
   wait();
@@ -80,11 +80,11 @@ bool ArenaView::draw(const LitterView& litter, bool fresh, const view::ColorScal
 void ArenaView::draw_next(const LitterView& litter) {
   const double begun = seconds();
   next_.update(litter, wanted_.scale, wanted_.camera, wanted_.drawing);
-  studio_->renderer.upload(next_);
-  gl::Target& store = studio_->stores[1 - front_];
+  drawer_->renderer.upload(next_);
+  gl::Target& store = drawer_->stores[1 - front_];
   store.resize(wanted_.width, wanted_.height);
   store.bind();
-  studio_->renderer.draw(wanted_.camera, {0, 0, wanted_.width, wanted_.height}, wanted_.samples);
+  drawer_->renderer.draw(wanted_.camera, {0, 0, wanted_.width, wanted_.height}, wanted_.samples);
   glFinish();  // another context reads it
   takes_ = seconds() - begun;
 }
@@ -93,14 +93,14 @@ void ArenaView::take_drawn() {
   std::swap(list_, next_);
   drawn_ = wanted_;
   front_ = 1 - front_;
-  shown_.show(studio_->stores[front_].texture(), drawn_.width, drawn_.height);
+  shown_.show(drawer_->stores[front_].texture(), drawn_.width, drawn_.height);
   took_ = takes_;
   drawing_ = false;
   anew_ = true;
 }
 
 void ArenaView::start(std::function<void(gl::Renderer&)> work, std::function<void()> done) {
-  give({.work = [this, work = std::move(work)] { work(studio_->renderer); },
+  give({.work = [this, work = std::move(work)] { work(drawer_->renderer); },
         .done = std::move(done),
         .holds = true});
 }

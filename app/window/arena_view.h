@@ -82,7 +82,7 @@ class ArenaView {
     bool same_as(const Wanted& other) const;
   };
   /// What lives in the context of the thread that draws.
-  struct Studio {
+  struct Drawer {
     gl::Renderer renderer;
     std::array<gl::Target, 2> stores;  // shown, and being drawn
   };
@@ -98,7 +98,7 @@ class ArenaView {
 
   pictures::Look look_;  // how bodies are drawn
   context::SharedContext context_;
-  std::optional<Studio> studio_;  // of the worker
+  std::optional<Drawer> drawer_;  // of the worker
   gl::SharedPicture shown_;
   std::size_t front_ = 0;       // of the stores, the one that is shown
   view::DrawList list_, next_;  // drawn, and being drawn

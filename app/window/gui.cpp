@@ -86,6 +86,10 @@ void Gui::mouse_button(int button, int action) {
   if (!kQueuesClicks) buttons_.changed(button, action == GLFW_PRESS, glfwGetTime());
 }
 
+void Gui::mouse_moved(double x, double y) {
+  buttons_.moved({static_cast<float>(x), static_cast<float>(y)});
+}
+
 void Gui::draw() {
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }

@@ -25,6 +25,8 @@ class Gui {
 
   /// Passes on what GLFW's callback for mouse buttons was told.
   void mouse_button(int button, int action);
+  /// And where the mouse is, in window coordinates; its buttons change there.
+  void mouse_moved(double x, double y);
   /// There are clicks left for the frames to come.
   bool clicks_wait() const { return buttons_.waiting(); }
 

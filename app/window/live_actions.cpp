@@ -40,7 +40,10 @@ void LiveWindow::install_callbacks() {
     if (window_of(w).gui_) window_of(w).gui_->mouse_button(button, action);
   });
   glfwSetScrollCallback(handle, event);
-  glfwSetCursorPosCallback(handle, event);
+  glfwSetCursorPosCallback(handle, [](GLFWwindow* w, double x, double y) {
+    window_of(w).schedule_.event();
+    if (window_of(w).gui_) window_of(w).gui_->mouse_moved(x, y);
+  });
   glfwSetCursorEnterCallback(handle, event);
   glfwSetWindowFocusCallback(handle, event);
   glfwSetWindowRefreshCallback(handle, [](GLFWwindow* w) {

@@ -90,10 +90,8 @@ void LiveWindow::label_arenas(const ArenaAreas& areas) const {
   const Params& second = snapshot.second->view().params;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float em = ImGui::GetFontSize();
-  const auto label = [&](const Area& area, const std::string& text) {  // as in pictures
-    const float width = rich_text_width(gui_->fonts(), text);
-    draw_rich_text(list, gui_->fonts(), {area.middle().x - width / 2, area.corner.y + em},
-                   kPaperInk, text);
+  const auto label = [&](const Area& area, const std::string& text) {  // beside the column of pups
+    draw_rich_text(list, gui_->fonts(), {area.corner.x + em, area.corner.y + em}, kPaperInk, text);
   };
   label(areas.first, differing_values(first, second));
   label(*areas.second, differing_values(second, first));

@@ -8,6 +8,10 @@ namespace {
 constexpr double kDoubleClick = 0.3;  // seconds between two presses
 constexpr double kAnyTime = 60;       // longer than any frame
 
+bool same(const std::optional<ImVec2>& a, const std::optional<ImVec2>& b) {
+  return a.has_value() == b.has_value() && (!a || (a->x == b->x && a->y == b->y));
+}
+
 }  // namespace
 
 void MouseButtons::changed(int button, bool down, double time) {
@@ -15,13 +19,15 @@ void MouseButtons::changed(int button, bool down, double time) {
   double& before = pressed_at_[static_cast<std::size_t>(button)];
   const bool doubles = down && before >= 0 && time - before < kDoubleClick;
   if (down) before = time;
-  changes_.push_back({button, down, doubles});
+  changes_.push_back({button, down, doubles, place_});
 }
 
 void MouseButtons::apply(ImGuiIO& io) {
   io.MouseDoubleClickTime = static_cast<float>(kDoubleClick);
   std::array<bool, ImGuiMouseButton_COUNT> seen{};
-  while (!changes_.empty()) {
+  const auto place = changes_.empty() ? std::nullopt : changes_.front().place;
+  if (place) io.MousePos = *place;
+  while (!changes_.empty() && same(changes_.front().place, place)) {
     const Change change = changes_.front();
     const auto button = static_cast<std::size_t>(change.button);
     if (seen[button]) break;

@@ -287,5 +287,27 @@ TEST_F(LiveControls, AComparisonIsBegunAndEnded) {
   EXPECT_EQ(await("second "), "none");
 }
 
+TEST_F(LiveControls, AMarkOnTheTimelineSaysWhatWasDoneThere) {
+  open({"--paused", "--set", "ta=0.5"});
+  screen_.press("shift+n");
+  await("hash 100 ");
+  type_into("ta-field", "0.2345");
+  await("value ta 0.2345");
+  screen_.press("shift+n");
+  await("hash 200 ");
+  const Box box = widget("timeline");
+  constexpr int kStops = 120;
+  std::vector<std::string> sweep;
+  for (int i = 0; i <= kStops; ++i) {
+    sweep.insert(sweep.end(), {"mousemove", std::to_string(box.x + i * (box.width - 1) / kStops),
+                               std::to_string(box.middle_y()), "sleep", "0.01"});
+  }
+  screen_.hand(sweep);
+  const std::string said = await("mark step ");
+  EXPECT_THAT(said, ::testing::StartsWith("100, "));
+  EXPECT_THAT(said, HasSubstr("0.2345"));
+  await("mark none");
+}
+
 }  // namespace
 }  // namespace pupflow::testing

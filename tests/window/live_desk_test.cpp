@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/io/checkpoint.h"
+#include "app/io/png.h"
 #include "app/io/scene_file.h"
 #include "pupflow/simulation.h"
 #include "tests/window/live_fixture.h"
@@ -242,6 +243,26 @@ TEST_F(LiveDesk, AFilmHasEveryFrameAndTheSimulationWaitsForThem) {
   while (const auto line = probe.read_line()) said += *line + '\n';
   EXPECT_GE(std::stoi(said.substr(said.find('\n') + 1)), 3) << said;
   EXPECT_THAT(said, HasSubstr("# seed = 2"));
+}
+
+/// A press is handled where the mouse was, though it has gone on by the next frame.
+TEST_F(LiveDesk, AButtonPressedRightAfterAnEntryOfAListIsPressed) {
+  open({"--paused", "--out", "shot.png"});
+  settle();
+  click("picture-sizes");
+  const Box entry = widget("picture-4k"), button = widget("screenshot");
+  settle();
+  std::vector<std::string> hand;
+  for (const Box& box : {entry, button}) {
+    hand.insert(hand.end(), {"mousemove", std::to_string(box.middle_x()),
+                             std::to_string(box.middle_y()), "click", "1"});
+  }
+  hand.insert(hand.end(), {"mousemove", "5", "400"});
+  window_->send_signal(SIGSTOP);  // all of it between two frames
+  screen_.hand(hand);
+  window_->send_signal(SIGCONT);
+  const io::Image image = io::read_png(scratch_.path(await("screenshot ")));
+  EXPECT_EQ(image.width, 3840);
 }
 
 TEST_F(LiveDesk, AFilmHasTheSizeThatIsChosen) {

@@ -45,6 +45,43 @@ TEST(MouseButtons, ADoubleClickIsOneHoweverLongItsFramesTake) {
   EXPECT_LT(io.MouseDoubleClickTime, 1) << "two clicks";
 }
 
+/// A press on one place, and the mouse is at another one before the next frame.
+TEST(MouseButtons, AChangeIsWhereTheMouseWasThen) {
+  MouseButtons buttons;
+  ImGuiIO io;
+  const auto click = [&](float x, float y, double time) {
+    buttons.moved({x, y});
+    buttons.changed(0, true, time);
+    buttons.changed(0, false, time + 0.01);
+  };
+  click(10, 20, 1);
+  click(300, 40, 2);
+  buttons.moved({500, 60});
+  std::vector<float> places;
+  for (int frame = 0; frame < 5; ++frame) {
+    io.MousePos = {500, 60};  // as the backend has it
+    buttons.apply(io);
+    places.push_back(io.MousePos.x);
+  }
+  EXPECT_EQ(places, (std::vector<float>{10, 10, 300, 300, 500}));
+}
+
+TEST(MouseButtons, ButtonsAtTwoPlacesTakeTwoFrames) {
+  MouseButtons buttons;
+  ImGuiIO io;
+  buttons.moved({10, 20});
+  buttons.changed(0, true, 1);
+  buttons.moved({10, 90});
+  buttons.changed(1, true, 1);
+  buttons.apply(io);
+  EXPECT_TRUE(io.MouseDown[0]);
+  EXPECT_FALSE(io.MouseDown[1]);
+  EXPECT_EQ(io.MousePos.y, 20);
+  buttons.apply(io);
+  EXPECT_TRUE(io.MouseDown[1]);
+  EXPECT_EQ(io.MousePos.y, 90);
+}
+
 TEST(MouseButtons, ButtonsDoNotWaitForEachOther) {
   MouseButtons buttons;
   ImGuiIO io;

@@ -124,15 +124,15 @@ TEST(Pull, TheRecipeHoldsABoundedNumber) {
   Params params = one_pup();
   params.face_points = 2;
   params.dt = 0.03;  // one force a step
-  constexpr int kMore = 10;
-  for (int i = 0; i < Session::kMostPulls - kMore; ++i) {
+  constexpr std::size_t kMore = 10;
+  for (std::size_t i = 0; i < Session::kMostPulls - kMore; ++i) {
     Change change{.step = 5, .until = 6, .settings = {}, .pup = 0, .action = {}};
     change.action.force = {0, 0, 1e-6};
     params.schedule.add(change);
   }
   Session session(params, true);
   session.apply(Pull{0, {0, 0, 0.3}});
-  for (int i = 0; i < 2 * kMore; ++i) session.step();
+  for (std::size_t i = 0; i < 2 * kMore; ++i) session.step();
   const LiveState state = look_at(session);
   EXPECT_EQ(state.view().recipe.schedule.changes().size(), Session::kMostPulls);
   EXPECT_NE(state.rejected.find("restart to pull again"), std::string::npos);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/io/checkpoint.h"
@@ -10,6 +11,8 @@
 #include "app/io/png_memory.h"
 #include "app/io/scene_file.h"
 #include "app/window/file_list.h"
+#include "app/window/session/pull.h"
+#include "app/window/session/session.h"
 #include "pupflow/simulation.h"
 #include "tests/support/scratch.h"
 
@@ -54,6 +57,25 @@ TEST(SceneDesk, OpensShippedScenesByName) {
     EXPECT_NE(opened.title, "");
   }
   EXPECT_EQ(read_scene("cold").params.ambient_temperature, 0.2);
+}
+
+/// The longest that a run may have, late in it.
+TEST(SceneDesk, AllPullsOfARunCanBeSavedAndOpened) {
+  const test::Scratch scratch;
+  Params recipe;
+  Simulation litter(recipe);
+  litter.run(10);
+  for (std::size_t i = 0; i < Session::kMostPulls; ++i) {
+    const auto at = 50'000'000 + 7 * static_cast<std::int64_t>(i);
+    const int pup = static_cast<int>(i) % recipe.pups;
+    const double way = std::sin(static_cast<double>(i));
+    Change pull{.step = at, .until = at + 7, .settings = {}, .pup = pup, .action = {}};
+    pull.action.force = pull_force(litter.view(), pup, {way, way / 3, way * way});
+    recipe.schedule.add(pull);
+  }
+  const std::string path = scratch.path("pulls.toml");
+  SceneDesk(Begun{}).save(path, recipe, 0);
+  EXPECT_EQ(read_scene(path).params.schedule, recipe.schedule);
 }
 
 TEST(SceneDesk, OpensCheckpointsWithTheirLitter) {

@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "app/window/panel_text.h"
 #include "app/window/panels/choice.h"
 #include "app/window/panels/list_rows.h"
 #include "app/window/session/parameter_text.h"
@@ -16,6 +19,21 @@ bool can_differ(const Parameter& parameter) {
   return parameter.effect != Parameter::Effect::run || parameter.name == "seed";
 }
 
+/// A button with rich text in its middle; what is too long is cut at its end.
+bool rich_button(const Fonts& fonts, const char* id, const std::string& label, float width) {
+  const bool pressed = ImGui::Button(id, {width, 0});
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  const float room = high.x - low.x - 2 * padding.x;
+  const float rest = std::max(room - rich_text_width(fonts, label), 0.0f);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(low, {high.x - padding.x, high.y}, true);
+  draw_rich_text(list, fonts, {low.x + padding.x + rest / 2, low.y + padding.y},
+                 ImGui::GetColorU32(ImGuiCol_Text), label);
+  list.PopClipRect();
+  return pressed;
+}
+
 }  // namespace
 
 void CompareControl::draw(float width, const PanelInput& in) {
@@ -25,7 +43,7 @@ void CompareControl::draw(float width, const PanelInput& in) {
   }
   const bool on = in.state.second.has_value();
   if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-  if (ImGui::Button((label + "##compare").c_str(), {width, 0})) {
+  if (rich_button(in.fonts, "##compare", label, width)) {
     problem_.clear();
     ImGui::OpenPopup(kPopup);
   }
@@ -107,7 +125,7 @@ void CompareControl::draw_value(const Parameter& parameter, const PanelInput& in
 
 void CompareControl::draw_end(const PanelInput& in) {
   const LitterView here = in.state.view(), there = in.state.second->view();
-  ImGui::TextUnformatted(difference_text(here.params, there.params).c_str());
+  rich_text(in.fonts, kInk, difference_text(here.params, there.params));
   if (in.state.diverged_at) {
     ImGui::TextDisabled("They parted at step %lld.", static_cast<long long>(*in.state.diverged_at));
   } else {

@@ -173,6 +173,8 @@ void draw_timeline_strip(float height, const std::string& problem, const PanelIn
     const std::int64_t step = std::min(strip.scale.step(mouse), in.state.timeline.last);
     if (step != in.controls.shown_step(in.state)) in.controls.go_to(step, in.state.timeline);
   }
+  const Timeline::Mark* const mark = pointed && !held ? mark_at(strip, mouse) : nullptr;
+  in.events.note("mark", mark == nullptr ? "none" : pointed_text(strip, mouse));
   draw_run(strip);
   draw_other_future(strip);
   draw_marks(strip);

@@ -69,8 +69,10 @@ std::vector<Change> Litter::to_come(const Replaced& replaced) const {
     });
   };
   std::vector<Change> stay;
-  for (const Change& change : changes) {
-    if (change.step < at()) continue;
+  const auto later =
+      std::lower_bound(changes.begin(), changes.end(), at(),
+                       [](const Change& change, std::int64_t step) { return change.step < step; });
+  for (const Change& change : std::span(later, changes.end())) {
     const bool stays = !is_own(change) || (!replaced(change) &&
                                            (change.step == at() || !in_past() || goes_on(change)));
     if (stays) stay.push_back(change);

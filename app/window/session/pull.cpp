@@ -10,6 +10,15 @@ constexpr double kHeldFor = 0.03;  // s
 constexpr double kFastest = 13;    // 1/s
 constexpr double kLongestWay = 4;  // pup radii
 
+/// The nearest number of five digits, which is short in a file.
+double rounded(double x) {
+  if (!std::isfinite(x)) return x;
+  if (std::abs(x) < 1e-100) return 0;
+  const double exponent = 4 - std::floor(std::log10(std::abs(x)));
+  const double scale = std::pow(10.0, std::abs(exponent));
+  return exponent < 0 ? std::round(x / scale) * scale : std::round(x * scale) / scale;
+}
+
 }  // namespace
 
 std::int64_t pull_steps(double dt) {
@@ -26,7 +35,7 @@ std::array<double, 3> pull_force(const LitterView& litter, int pup,
   if (way.norm() > longest) way *= longest / way.norm();
   Eigen::Vector3d force = w * (w * way - 2 * litter.velocities.mean(pup));
   force.z() += litter.params.gravity;
-  return {force.x(), force.y(), force.z()};
+  return {rounded(force.x()), rounded(force.y()), rounded(force.z())};
 }
 
 }  // namespace pupflow::window

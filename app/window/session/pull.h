@@ -20,7 +20,8 @@ std::int64_t pull_steps(double dt);
 /// of shape matching have the cloud's own mean, so for any alpha and beta the centre moves as one
 /// point would, and this is a critically damped oscillator. It comes within a tenth of the way in
 /// 3.9/w = 0.3 s. Held over T, the force is stable up to w T = 0.82, so half that is on the safe side
-/// at any dt. The longest d bounds the speed by 2 w pup radii. The last term carries the weight.
+/// at any dt. The longest d bounds the speed by 2 w pup radii. The last term carries the weight. All
+/// are rounded to five digits.
 std::array<double, 3> pull_force(const LitterView& litter, int pup,
                                  const std::array<double, 3>& target);
 

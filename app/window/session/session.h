@@ -111,8 +111,9 @@ class Session {
  public:
   /// For keyframes, of all runs together.
   static constexpr std::size_t kKeyframeBytes = std::size_t{256} << 20;
-  /// Forces that the recipe of a run holds at most: 45 s of pulling. Each one has all checked.
-  static constexpr std::ptrdiff_t kMostPulls = 1500;
+  /// A recipe with so many changes takes no further pull: 5 minutes of pulling. As a scene file it
+  /// is within the 1 MiB that can be opened.
+  static constexpr std::size_t kMostPulls = 10'000;
 
   /// A new litter, or with `from` the litter of that snapshot, whose recipe is then `params`. Throws
   /// InvalidParams.

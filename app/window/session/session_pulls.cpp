@@ -28,10 +28,7 @@ void Session::let_go() {
 /// Has the force of the spring act for some steps to come.
 void Session::hold() {
   if (!pull_ || first_.at() < held_until_) return;
-  const auto changes = first_.run().recipe.schedule.changes();
-  const auto pulls = std::count_if(changes.begin(), changes.end(),
-                                   [](const Change& change) { return change.pup.has_value(); });
-  if (pulls >= kMostPulls) {
+  if (first_.run().recipe.schedule.changes().size() >= kMostPulls) {
     rejected_ = "the recipe of this run holds all the pulls that it can; restart to pull again";
     pull_.reset();
     return;

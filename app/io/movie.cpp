@@ -32,7 +32,7 @@ struct Form {
   "format=yuv420p -colorspace bt709 -color_primaries bt709 -color_trc bt709 -color_range tv "
 constexpr Form kForms[] = {
     {".mp4", kMostFps,
-     PUPFLOW_VIDEO "-c:v libx264 -preset fast -crf 18 -movflags +faststart -f mp4", true},
+     PUPFLOW_VIDEO "-c:v libx264 -preset veryfast -crf 18 -movflags +faststart -f mp4", true},
     {".webm", kMostFps,
      PUPFLOW_VIDEO "-c:v libvpx-vp9 -crf 28 -b:v 0 -deadline good -cpu-used 4 -row-mt 1 -f webm",
      true},
@@ -112,6 +112,10 @@ std::string movie_endings() {
     endings += (i + 1 < std::size(kForms) ? ", " : " or ") + std::string(kForms[i].ending);
   }
   return endings;
+}
+
+bool names_movie(std::string_view path) {
+  return std::ranges::any_of(kForms, [&](const Form& form) { return path.ends_with(form.ending); });
 }
 
 void check_movie(const std::string& path, int fps, int width, int height) {

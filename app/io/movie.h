@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/io/atomic_file.h"
 #include "app/io/child.h"
@@ -14,6 +15,9 @@ constexpr int kMostFps = 120;  // frames a second; a GIF may have 50
 
 /// The endings that films may have, for help and messages: ".mp4, .webm or .gif".
 std::string movie_endings();
+
+/// Whether it ends as a film's does.
+bool names_movie(std::string_view path);
 
 /// Throws Failure(bad_input) when the name has another ending, or the film cannot have so many
 /// frames a second or such a size in pixels.

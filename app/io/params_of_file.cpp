@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "app/io/checkpoint.h"
+#include "app/io/command_text.h"
 #include "app/io/csv.h"
 #include "app/io/failure.h"
 #include "app/io/file_kind.h"
+#include "app/io/movie.h"
 #include "app/io/png.h"
 #include "app/io/provenance.h"
 
@@ -47,6 +49,13 @@ TextEntries entries_of_file(const std::string& path) {
       return read_hdf5_text(path);
     case FileKind::text:
       break;
+  }
+  if (names_movie(path)) {
+    refuse(path +
+           ": a film has its recipe in its comment; give the text that ffprobe prints "
+           "(Debian and Ubuntu: apt install ffmpeg): ffprobe -v error -show_entries "
+           "format_tags=comment -of default=nokey=1:noprint_wrappers=1 " +
+           shell_word(path) + " > recipe.txt");
   }
   return read_csv_header(path);
 }

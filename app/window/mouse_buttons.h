@@ -20,7 +20,8 @@ class MouseButtons {
   /// `button` went down or up, `time` in seconds. Buttons that Dear ImGui does not know are left out.
   void changed(int button, bool down, double time);
 
-  /// Sets the buttons of the frame that begins, the place of the mouse where a button changes, and how long ago the first of two clicks may be.
+  /// Sets the buttons of the frame that begins, the place of the mouse where a button changes, and how
+  /// long ago the first of two clicks may be.
   void apply(ImGuiIO& io);
 
   /// Another frame is needed.

@@ -37,7 +37,7 @@ namespace pupflow::window {
 ///   help shown|hidden, camera AZIMUTH ELEVATION DISTANCE, screenshot PATH
 ///   selected PUP|none, view free|follow|eye
 ///   field NAME TEXT       a field of the selected pup as the inspector shows it, when it changes
-///   drawn full|coarse     the arena, or in fewer pixels and enlarged, when that changes
+///   mark TEXT|none        what the mouse points at on the timeline, when it changes
 ///   samples N             the arena has N x N samples a pixel, when N changes
 ///   plots-span SPAN, plots-smooth TIME  what was chosen for the plots
 ///   pointed TIME|nowhere  where on the plots' common time axis the mouse is

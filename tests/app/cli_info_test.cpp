@@ -83,6 +83,9 @@ TEST_F(CliInfo, OldFilesAndOthers) {
   const test::Outcome text = pupflow({"info", scratch_.file("t.txt", "hello\n")});
   EXPECT_EQ(text.code, 2);
   EXPECT_THAT(text.err, HasSubstr("does not say that pupflow wrote it"));
+  const test::Outcome film = pupflow({"info", scratch_.file("film.mp4", "moving\n")});
+  EXPECT_EQ(film.code, 2);
+  EXPECT_THAT(film.err, AllOf(HasSubstr("apt install ffmpeg"), HasSubstr("film.mp4 > recipe.txt")));
   EXPECT_EQ(pupflow({"info", "none.png"}).code, 4);
   EXPECT_EQ(pupflow({"info", "."}).code, 2);
   EXPECT_EQ(pupflow({"info"}).code, 2);

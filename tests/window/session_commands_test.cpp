@@ -77,7 +77,8 @@ TEST(Timeline, WhateverIsDoneTheRecipeRepeatsWhatIsSeen) {
       }
       ASSERT_EQ(state.hash, headless(state)) << "seed " << seed << ", command " << i;
       if (!state.second || !state.second->status.ok()) continue;
-      ASSERT_EQ(state.second->view().step, state.view().step) << "seed " << seed << ", command " << i;
+      ASSERT_EQ(state.second->view().step, state.view().step)
+          << "seed " << seed << ", command " << i;
       Simulation second(state.second->view().recipe);
       second.run(state.second->view().step);
       const LitterView expected = second.view();

@@ -11,6 +11,8 @@
 namespace pupflow::fuzz {
 namespace {
 
+std::uint64_t inputs = 0;
+
 const test::Scratch& scratch() {
   static const test::Scratch folder;
   return folder;
@@ -29,7 +31,12 @@ void require_sound(const std::string& message) {
 }
 
 std::string file_of(std::string_view bytes) {
+  ++inputs;
   return scratch().file("input", std::string(bytes));
+}
+
+std::uint64_t input_number() {
+  return inputs;
 }
 
 std::string hdf5_file_of(std::string_view bytes, const std::string& kind) {

@@ -45,8 +45,12 @@ auto read_back(const Read& read) {
   }
 }
 
-/// The path of a file with these bytes; each call of this process writes the same file.
+/// The path of a file with these bytes; each call of this process writes the same file. Targets call it,
+/// or hdf5_file_of, once for an input.
 std::string file_of(std::string_view bytes);
+
+/// How many inputs were written to a file so far.
+std::uint64_t input_number();
 
 /// The same of an HDF5 file; where it does not begin with HDF5's signature, the user block with the
 /// checksum is put right (user_block.h).

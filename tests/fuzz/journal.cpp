@@ -1,5 +1,6 @@
-// The journal of an unfinished sweep, its rows with their checksums. Invariant: it is refused in one sound line, or each row that is
-// read belongs to the sweep; opened again it holds the same rows; a row that is added is there.
+// The journal of an unfinished sweep, its rows with their checksums. Invariant: it is refused in one
+// sound line, or each row that is read belongs to the sweep; opened again it holds the same rows; a row
+// that is added is there.
 #include "app/study/journal.h"
 
 #include "app/io/checksum.h"

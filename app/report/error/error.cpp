@@ -58,7 +58,8 @@ void sum_up(Report& report, const std::vector<std::pair<ErrorScene, SceneResult>
     for (const Quantity& q : scene.quantities) names += (names.empty() ? "" : ", ") + q.title;
     rows.push_back(
         {scene.title, names,
-         cell_of(result, [&](const Params& p) { return p == scene.standard.params; }),
+         cell_of(result,
+                 [&standard = scene.standard.params](const Params& p) { return p == standard; }),
          cell_of(result, [&](const Params& p) { return step_is(p, 0.02, Refinement::naive); }),
          cell_of(result,
                  [&](const Params& p) { return p.dt == 0.01 && p.precision == Precision::float_; }),

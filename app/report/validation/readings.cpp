@@ -148,9 +148,9 @@ void summary_table(Report& report, const std::vector<ReadingCurve>& curves) {
   row("largest group, cold", [](const ReadingCurve& c) { return extent(c, kLargest, cold); });
   row("largest group, warm", [](const ReadingCurve& c) { return extent(c, kLargest, warm); });
   for (const auto& [title, n] : {std::pair{"flow, lag 1", kFlow}, {"sd of A", kExposedSd}}) {
-    row(std::string(title) + ": highest", [&](const ReadingCurve& c) { return highest(c, n); });
+    row(std::string(title) + ": highest", [n = n](const ReadingCurve& c) { return highest(c, n); });
     row(std::string(title) + ": highest from 0.3 to 0.6, by how much",
-        [&](const ReadingCurve& c) { return peak_text(c, n); });
+        [n = n](const ReadingCurve& c) { return peak_text(c, n); });
   }
   report.table(rows);
 }

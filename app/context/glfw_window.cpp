@@ -16,12 +16,19 @@ namespace pupflow::context {
 
 namespace {
 
+/// The value of an environment variable, "" where it has none.
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
 /// Refuses: the display that the environment names, if it does, `does_not`.
 [[noreturn]] void fail(const std::string& does_not) {
   std::vector<std::string> displays;
   for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
-    const char* value = std::getenv(name);
-    if (value != nullptr && *value != '\0') displays.push_back(io::quoted(value));
+    if (const std::string value = environment(name); !value.empty()) {
+      displays.push_back(io::quoted(value));
+    }
   }
   const std::string what = displays.empty()
                                ? "no display is here"
@@ -30,6 +37,15 @@ namespace {
                     what +
                         "; a window needs a display (DISPLAY or WAYLAND_DISPLAY) and an "
                         "OpenGL 3.3 driver (libgl1-mesa-dri)");
+}
+
+/// GLFW 3.4 tries Wayland first, whose library complains on standard error where there is none.
+void choose_platform() {
+#ifdef GLFW_PLATFORM
+  const bool x11 = environment("WAYLAND_DISPLAY").empty() &&
+                   glfwPlatformSupported(GLFW_PLATFORM_X11) == GLFW_TRUE;
+  glfwInitHint(GLFW_PLATFORM, x11 ? GLFW_PLATFORM_X11 : GLFW_ANY_PLATFORM);
+#endif
 }
 
 void ask_for_opengl(bool visible) {
@@ -45,6 +61,7 @@ void ask_for_opengl(bool visible) {
 }  // namespace
 
 GlfwWindow::GlfwWindow(const WindowOptions& options) {
+  choose_platform();
   if (glfwInit() != GLFW_TRUE) fail("does not answer");
   ask_for_opengl(options.visible);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);

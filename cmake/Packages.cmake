@@ -71,6 +71,12 @@ if(TARGET pupflow_python)
     ${PROJECT_SOURCE_DIR}/packaging/debian/python/postinst ${PROJECT_SOURCE_DIR}/packaging/debian/python/prerm)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS pupflow-graphics)
 endif()
+# Those of two architectures can be installed side by side; of the pages one serves all. CPack before CMake
+# 3.31 has no word for this field: it goes with the section, as a line of its own.
+foreach(key LIBRARY ENGINE)
+  string(APPEND CPACK_DEBIAN_${key}_PACKAGE_SECTION "\nMulti-Arch: same")
+endforeach()
+string(APPEND CPACK_DEBIAN_DOC_PACKAGE_SECTION "\nMulti-Arch: foreign")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS
   "pupflow-graphics, pupflow-mpi, pupflow-doc, python3-pupflow, gnuplot-nox, ffmpeg")
 set(CPACK_DEBIAN_ENGINE_PACKAGE_SUGGESTS pupflow-doc)

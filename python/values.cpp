@@ -53,7 +53,9 @@ void take_value(const Parameter& parameter, py::handle value, Params& params,
   Problem problem;
   if (parameter.kind == Parameter::Kind::choice) {
     if (!py::isinstance<py::str>(value)) refuse_type(parameter, "a str", value);
-    if (parse_value(parameter, value.cast<std::string>(), params, problem)) return;
+    const auto text = value.cast<std::string>();
+    if (parse_value(parameter, text, params, problem)) return;
+    problem.message += io::did_you_mean(text, parameter.choices);
   } else {
     const double number = number_of(parameter, value);
     if (check_value(parameter, number, problem)) return parameter.set(params, number);

@@ -33,7 +33,7 @@ as_root() {
 # room PRESET: prints what build/PRESET takes, rounded up. As of version 0.2.0, with GCC.
 room() {
   case $1 in
-    release) echo "50 MB" ;;
+    release) echo "60 MB" ;;
     engine) echo "25 MB" ;;
     check) echo "280 MB" ;;
   esac

@@ -5,23 +5,47 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <vector>
 
 #include "app/gl/load.h"
 #include "app/io/failure.h"
+#include "app/io/text.h"
 
 namespace pupflow::context {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& what) {
-  const char* reason = nullptr;
-  glfwGetError(&reason);
-  std::string message = what;
-  if (reason != nullptr) message += std::string(" (GLFW: ") + reason + ")";
+/// The value of an environment variable, "" where it has none.
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+/// Refuses: the display that the environment names, if it does, `does_not`.
+[[noreturn]] void fail(const std::string& does_not) {
+  std::vector<std::string> displays;
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+    if (const std::string value = environment(name); !value.empty()) {
+      displays.push_back(io::quoted(value));
+    }
+  }
+  const std::string what = displays.empty()
+                               ? "no display is here"
+                               : "display " + io::joined(displays, " or ") + " " + does_not;
   throw io::Failure(io::ExitCode::no_context,
-                    message +
+                    what +
                         "; a window needs a display (DISPLAY or WAYLAND_DISPLAY) and an "
                         "OpenGL 3.3 driver (libgl1-mesa-dri)");
+}
+
+/// GLFW 3.4 tries Wayland first, whose library complains on standard error where there is none.
+void choose_platform() {
+#ifdef GLFW_PLATFORM
+  const bool x11 = environment("WAYLAND_DISPLAY").empty() &&
+                   glfwPlatformSupported(GLFW_PLATFORM_X11) == GLFW_TRUE;
+  glfwInitHint(GLFW_PLATFORM, x11 ? GLFW_PLATFORM_X11 : GLFW_ANY_PLATFORM);
+#endif
 }
 
 void ask_for_opengl(bool visible) {
@@ -37,13 +61,14 @@ void ask_for_opengl(bool visible) {
 }  // namespace
 
 GlfwWindow::GlfwWindow(const WindowOptions& options) {
-  if (glfwInit() != GLFW_TRUE) fail("no window can be opened");
+  choose_platform();
+  if (glfwInit() != GLFW_TRUE) fail("does not answer");
   ask_for_opengl(options.visible);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   try {
     window_ =
         glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
-    if (window_ == nullptr) fail("no window with OpenGL 3.3 can be opened");
+    if (window_ == nullptr) fail("opens no window with OpenGL 3.3");
     make_current();
     gl::load_functions();
   } catch (...) {
@@ -77,7 +102,7 @@ double GlfwWindow::content_scale() const {
 SharedContext::SharedContext(const GlfwWindow& window) {
   ask_for_opengl(false);
   window_ = glfwCreateWindow(1, 1, "", nullptr, window.handle());
-  if (window_ == nullptr) fail("no second context for the window can be made");
+  if (window_ == nullptr) fail("gives the window no second context");
 }
 
 SharedContext::~SharedContext() {

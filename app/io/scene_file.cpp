@@ -79,8 +79,8 @@ std::string take_parameter(const Parameter& parameter, const toml::node& value, 
   if (parameter.kind == Parameter::Kind::choice) {
     const auto text = value.value_exact<std::string>();
     if (!text) return wrong_type(parameter.name, wanted_words(parameter.kind), value);
-    parse_value(parameter, *text, params, problem);
-    return problem.message;
+    if (parse_value(parameter, *text, params, problem)) return {};
+    return problem.message + did_you_mean(*text, parameter.choices);
   }
   const bool right_type =
       value.is_integer() || (parameter.kind == Parameter::Kind::real && value.is_floating_point());

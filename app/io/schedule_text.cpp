@@ -73,7 +73,9 @@ std::string take_parameter(std::string_view name, std::string_view text, Change&
   if (!parameter) return unknown(name);
   Params params;
   Problem problem;
-  if (!parse_value(*parameter, text, params, problem)) return problem.message;
+  if (!parse_value(*parameter, text, params, problem)) {
+    return problem.message + did_you_mean(text, parameter->choices);
+  }
   const auto place = static_cast<std::size_t>(parameter - parameters().data());
   change.settings.push_back({place, parameter->get(params)});
   return {};

@@ -30,7 +30,7 @@ void take(const std::string& option, std::string_view name, std::string_view val
   }
   Problem problem;
   if (!parse_value(*parameter, value, params, problem)) {
-    problems.push_back(option + ": " + problem.message);
+    problems.push_back(option + ": " + problem.message + did_you_mean(value, parameter->choices));
   }
 }
 

@@ -37,7 +37,9 @@ Typed parse_name(const std::string& text, const char* forms) {
 double value_of(const Parameter& parameter, std::string_view text) {
   Params scratch;
   Problem problem;
-  if (!parse_value(parameter, text, scratch, problem)) refuse("--vary: " + problem.message);
+  if (!parse_value(parameter, text, scratch, problem)) {
+    refuse("--vary: " + problem.message + io::did_you_mean(text, parameter.choices));
+  }
   return parameter.get(scratch);
 }
 

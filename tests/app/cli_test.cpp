@@ -13,6 +13,7 @@ using test::Outcome;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::MatchesRegex;
+using testing::Not;
 
 const std::vector<std::string> kVerbs{"live",   "run",    "render", "figure1", "explain",
                                       "params", "fields", "scenes", "doctor"};
@@ -78,6 +79,20 @@ TEST_F(Cli, EveryVerbRefusesAnUnknownParameter) {
     EXPECT_THAT(refused({verb, "--set", "alpa=1"}), HasSubstr("did you mean 'alpha'?")) << verb;
     EXPECT_THAT(refused({verb, "--set", "alpha=2"}), HasSubstr("alpha = 2")) << verb;
   }
+}
+
+TEST_F(Cli, AMistypedChoiceGetsTheNearest) {
+  scratch_.file("s.toml", "contact = \"nerest\"\n");
+  const std::vector<std::vector<std::string>> lines{{"run", "--set", "contact=nerest"},
+                                                    {"run", "--at", "step=5,contact=nerest"},
+                                                    {"run", "s.toml"},
+                                                    {"sweep", "--vary", "contact=nerest,sum"}};
+  for (const auto& line : lines) {
+    const Outcome outcome = pupflow(line);
+    EXPECT_EQ(outcome.code, 2) << line.back();
+    EXPECT_THAT(outcome.err, HasSubstr("nearest or mean or sum; did you mean 'nearest'?\n"));
+  }
+  EXPECT_THAT(pupflow({"run", "--set", "contact=x"}).err, Not(HasSubstr("did you mean")));
 }
 
 TEST_F(Cli, AllProblemsAreListedALineEach) {

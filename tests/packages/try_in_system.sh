@@ -32,6 +32,12 @@ files >"$system.before"
 say "Installing ${names[*]}"
 inside "apt-get -q install -y --no-install-recommends /packages/*.deb"
 
+say "Beside those of another architecture"
+inside "dpkg-query --show --showformat '\${Package} \${Multi-Arch}\n' ${names[*]}" >"$system.fields"
+for line in 'libpupflow[0-9.]* same' 'libpupflow-dev same' 'pupflow-doc foreign'; do
+  grep -x "$line" "$system.fields"
+done
+
 say "As somebody who is not root"
 cat >"$system/tmp/try.sh" <<'TEXT'
 set -euo pipefail

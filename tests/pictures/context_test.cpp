@@ -16,6 +16,7 @@ namespace {
 using test::run_as_program;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(Context, HeadlessReportsWhatItChose) {
   ContextReport report;
@@ -97,7 +98,18 @@ TEST_F(NoContext, AWindowWithoutADisplayFailsInOneLine) {
                 GlfwWindow window({});
               }),
               ::testing::ExitedWithCode(5),
-              AllOf(HasSubstr("GLFW"), HasSubstr("DISPLAY"), HasSubstr("OpenGL 3.3")));
+              AllOf(HasSubstr("no display is here; "), HasSubstr("DISPLAY"),
+                    HasSubstr("OpenGL 3.3"), Not(HasSubstr("GLFW"))));
+}
+
+TEST_F(NoContext, ADisplayThatDoesNotAnswerIsNamed) {
+  EXPECT_EXIT(run_as_program([] {
+                take_drivers_away();
+                setenv("DISPLAY", ":7777", 1);
+                GlfwWindow window({});
+              }),
+              ::testing::ExitedWithCode(5),
+              AllOf(HasSubstr("display ':7777' does not answer; "), Not(HasSubstr("GLFW"))));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ class Errors(unittest.TestCase):
         self.refused(ValueError, words, lambda: pupflow.Litter(alpha=2))
         self.refused(ValueError, words, lambda: setattr(self.litter, "alpha", 2))
         self.assertEqual(self.litter.alpha, 0.7)
-        self.refused(ValueError, "heading = 'boddy': heading must be course or body",
+        self.refused(ValueError, "heading = 'boddy': heading must be course or body; did you mean 'body'?",
                      lambda: pupflow.Litter(heading="boddy"))
         with self.assertRaisesRegex(ValueError, "alpha = nan"):
             pupflow.Litter(alpha=float("nan"))

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <random>
+#include <string>
 
 #include "tests/window/session_words.h"
 
@@ -53,41 +54,43 @@ Command any_command(std::mt19937& random, const Params& params, std::int64_t las
   }
 }
 
-TEST(Timeline, WhateverIsDoneTheRecipeRepeatsWhatIsSeen) {
+/// Begins with a seed of the commands' order.
+class AnyTimeline : public testing::TestWithParam<unsigned> {};
+
+TEST_P(AnyTimeline, IsThatOfARecipe) {
   Params params = small_litter();
   params.schedule.add(
       {.step = 100, .until = 160, .settings = {{place("ta"), 0.8}}, .pup = {}, .action = {}});
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    std::mt19937 random(seed);
-    Session session(params, true);
-    for (int i = 0; i < 120; ++i) {
-      const LiveState before = look_at(session);
-      have(session, any_command(random, session.params(), before.timeline.last));
-      const bool good = look_at(session).status.ok();
-      for (auto steps = random() % 40; steps > 0 && good; --steps) session.step();
-      const LiveState state = look_at(session);
-      ASSERT_LE(state.view().step, state.timeline.last);
-      ASSERT_LE(state.history.last(), state.timeline.last);
-      for (const Timeline::Mark& mark : state.timeline.marks) {
-        ASSERT_LE(mark.step, state.timeline.last) << mark.text;
-      }
-      if (!state.status.ok()) {
-        have(session, GoTo{state.timeline.last / 2});
-        continue;
-      }
-      ASSERT_EQ(state.hash, headless(state)) << "seed " << seed << ", command " << i;
-      if (!state.second || !state.second->status.ok()) continue;
-      ASSERT_EQ(state.second->view().step, state.view().step)
-          << "seed " << seed << ", command " << i;
-      Simulation second(state.second->view().recipe);
-      second.run(state.second->view().step);
-      const LitterView expected = second.view();
-      ASSERT_TRUE(
-          std::equal(expected.tb.begin(), expected.tb.end(), state.second->view().tb.begin()))
-          << "seed " << seed << ", command " << i;
+  std::mt19937 random(GetParam());
+  Session session(params, true);
+  for (int i = 0; i < 120; ++i) {
+    SCOPED_TRACE("command " + std::to_string(i));
+    const LiveState before = look_at(session);
+    have(session, any_command(random, session.params(), before.timeline.last));
+    const bool good = look_at(session).status.ok();
+    for (auto steps = random() % 40; steps > 0 && good; --steps) session.step();
+    const LiveState state = look_at(session);
+    ASSERT_LE(state.view().step, state.timeline.last);
+    ASSERT_LE(state.history.last(), state.timeline.last);
+    for (const Timeline::Mark& mark : state.timeline.marks) {
+      ASSERT_LE(mark.step, state.timeline.last) << mark.text;
     }
+    if (!state.status.ok()) {
+      have(session, GoTo{state.timeline.last / 2});
+      continue;
+    }
+    ASSERT_EQ(state.hash, headless(state));
+    if (!state.second || !state.second->status.ok()) continue;
+    ASSERT_EQ(state.second->view().step, state.view().step);
+    Simulation second(state.second->view().recipe);
+    second.run(state.second->view().step);
+    const LitterView expected = second.view();
+    ASSERT_TRUE(
+        std::equal(expected.tb.begin(), expected.tb.end(), state.second->view().tb.begin()));
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Orders, AnyTimeline, testing::Range(1u, 21u));
 
 }  // namespace
 }  // namespace pupflow::window

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/io/csv.h"
 #include "app/io/file_kind.h"
 #include "app/io/hdf5_reader.h"
+#include "app/io/params_of_file.h"
 #include "app/io/provenance.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
@@ -101,7 +101,7 @@ void take_remark(const std::string& line, TextEntries& facts) {
 }
 
 About about_csv(const std::string& path) {
-  About about = about_entries(read_csv_header(path), path);
+  About about = about_entries(entries_of_text(path), path);
   std::ifstream file(path);
   std::string line, columns;
   std::uint64_t rows = 0;

@@ -41,6 +41,17 @@ void take_row(const std::string& path, std::int64_t row, Params& params) {
 
 }  // namespace
 
+TextEntries entries_of_text(const std::string& path) {
+  if (names_movie(path)) {
+    refuse(path +
+           ": a film has its recipe in its comment; give the text that ffprobe prints "
+           "(Debian and Ubuntu: apt install ffmpeg): ffprobe -v error -show_entries "
+           "format_tags=comment -of default=nokey=1:noprint_wrappers=1 " +
+           shell_word(path) + " > recipe.txt");
+  }
+  return read_csv_header(path);
+}
+
 TextEntries entries_of_file(const std::string& path) {
   switch (file_kind(path)) {
     case FileKind::picture:
@@ -50,14 +61,7 @@ TextEntries entries_of_file(const std::string& path) {
     case FileKind::text:
       break;
   }
-  if (names_movie(path)) {
-    refuse(path +
-           ": a film has its recipe in its comment; give the text that ffprobe prints "
-           "(Debian and Ubuntu: apt install ffmpeg): ffprobe -v error -show_entries "
-           "format_tags=comment -of default=nokey=1:noprint_wrappers=1 " +
-           shell_word(path) + " > recipe.txt");
-  }
-  return read_csv_header(path);
+  return entries_of_text(path);
 }
 
 Params params_of_file(const std::string& path, std::optional<std::int64_t> row) {

@@ -10,6 +10,10 @@
 
 namespace pupflow::io {
 
+/// What a file says about its making in lines "# name = value". Refuses a film, and says how such a
+/// file is made of it. Throws Failure.
+TextEntries entries_of_text(const std::string& path);
+
 /// What any file of this program says about its making. Throws Failure.
 TextEntries entries_of_file(const std::string& path);
 

@@ -34,8 +34,8 @@ as_root() {
 room() {
   case $1 in
     release) echo "60 MB" ;;
-    engine) echo "25 MB" ;;
-    check) echo "280 MB" ;;
+    engine) echo "30 MB" ;;
+    check) echo "190 MB" ;;
   esac
 }
 

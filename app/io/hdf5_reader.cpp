@@ -93,12 +93,28 @@ std::vector<hsize_t> shape_of(hid_t set) {
   return shape;
 }
 
+/// Whether it is a dimension scale. H5DSis_scale() of libhdf5 1.10 frees memory twice where the
+/// attribute is damaged.
+bool is_scale(hid_t set) {
+  constexpr std::size_t kLongestClass = 64;
+  if (H5Aexists(set, "CLASS") <= 0) return false;
+  const Handle attribute(H5Aopen(set, "CLASS", H5P_DEFAULT), H5Aclose);
+  const Handle type(H5Aget_type(attribute), H5Tclose);
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 ||
+      H5Tget_size(type) > kLongestClass || H5Sget_simple_extent_npoints(space) != 1) {
+    return false;
+  }
+  char text[kLongestClass + 1] = {};
+  return H5Aread(attribute, type, text) >= 0 && std::string_view(text) == "DIMENSION_SCALE";
+}
+
 /// Adds what `name` is to `data`, a vector of SetInfo, if it is a data set and no dimension.
 herr_t add_set(hid_t file, const char* name, const H5O_info_t* info, void* data) {
   if (info->type != H5O_TYPE_DATASET) return 0;
   const Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
   if (set < 0) return -1;
-  if (H5DSis_scale(set) > 0) return 0;
+  if (is_scale(set)) return 0;
   const std::vector<hsize_t> shape = shape_of(set);
   static_cast<std::vector<SetInfo>*>(data)->push_back({name,
                                                        {shape.begin(), shape.end()},

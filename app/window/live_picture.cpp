@@ -63,7 +63,8 @@ SeenPicture::Scene LiveWindow::scene_for(const SeenPicture& picture) {
   return scene;
 }
 
-/// It is drawn and written with the arena; the window goes on meanwhile.
+/// It is drawn and written with the arena; the window goes on meanwhile. A litter that plays has no hash
+/// at hand: the next snapshot brings it.
 void LiveWindow::take_picture() {
   struct Taken {
     SeenPicture picture;
@@ -72,6 +73,11 @@ void LiveWindow::take_picture() {
     std::string path, problem;
   };
   const LiveState& state = runner_.snapshot();
+  if (!state.hash) {
+    picture_waits_ = true;
+    runner_.send(Hash{});
+    return;
+  }
   std::shared_ptr<Taken> taken;
   try {
     SeenPicture picture = new_picture(controls_.look);

@@ -42,7 +42,6 @@ LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
                .from = job.from,
                .playing = !job.paused,
                .threads = job.threads,
-               .hashed = true,  // a picture carries it
                .notify = [] { glfwPostEmptyEvent(); }}),
       schedule_(drawn_by_processor()),
       desk_({job.opened, job.params, job.from ? job.from->edited : std::nullopt}),
@@ -80,10 +79,12 @@ void LiveWindow::run() {
     const bool drawn = arena_.collect(), second_drawn = second_ && second_->view.collect();
     if (drawn || second_drawn) schedule_.panels_changed();
     // A picture is seen with the marks of its own snapshot before the next one comes.
-    if (!schedule_.visible() || !(drawn || second_drawn)) exchange_snapshots(now);
+    const bool seen_first = schedule_.visible() && (drawn || second_drawn);
+    if (!seen_first) exchange_snapshots(now);
     feed_film();
     if (runner_.busy_for() > kLongStep) schedule_.panels_changed();
     if (schedule_.frame_due(now)) frame(now);
+    if (seen_first) exchange_snapshots(now);  // it may have come, and been told of, before
   }
   arena_.finish();
   end_film();
@@ -129,6 +130,7 @@ void LiveWindow::exchange_snapshots(double now) {
     events_.snapshot(snapshot);
     controls_.follow(snapshot);
     film_snapshot();
+    if (std::exchange(picture_waits_, false)) take_picture();
   }
   if (!schedule_.wants_snapshot(now)) return;
   runner_.request();

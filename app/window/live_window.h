@@ -170,8 +170,9 @@ class LiveWindow {
   RedrawSchedule schedule_;
   std::unique_ptr<Film> film_, ended_film_;  // the latter is still being finished
   std::shared_ptr<FilmFrame> film_frame_;
-  bool suspended_ = false;   // the runner: minimised, and so it was chosen
-  bool film_holds_ = false;  // it takes no further steps
+  bool picture_waits_ = false;  // for a snapshot with its hash
+  bool suspended_ = false;      // the runner: minimised, and so it was chosen
+  bool film_holds_ = false;     // it takes no further steps
   SceneDesk desk_;
   Dialogs dialogs_;
   std::optional<Dialogs::Answer> waiting_;  // for edits that are on their way

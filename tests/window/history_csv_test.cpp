@@ -21,7 +21,7 @@ LiveState watched(const Params& params, int steps) {
   Session session(params, true);
   for (int i = 0; i < steps; ++i) session.step();
   LiveState state;
-  session.fill(state, false);
+  session.fill(state);
   return state;
 }
 

@@ -26,9 +26,8 @@ Params small_litter() {
 class Watched {
  public:
   explicit Watched(bool playing, const Params& params = small_litter())
-      : runner_({.params = params, .playing = playing, .hashed = true, .notify = [this] {
-                   published_.release();
-                 }}) {}
+      : runner_(
+            {.params = params, .playing = playing, .notify = [this] { published_.release(); }}) {}
 
   Runner& operator*() { return runner_; }
   Runner* operator->() { return &runner_; }
@@ -74,9 +73,13 @@ TEST(Runner, StepsByItselfWhilePlaying) {
   const LiveState& later =
       runner.await([&](const LiveState& s) { return s.view().step >= first + 5; });
   EXPECT_TRUE(later.playing);
+  EXPECT_FALSE(later.hash) << "a litter that plays is hashed when it is wanted";
+  runner->send(Hash{});
+  const LiveState& hashed = runner.await([](const LiveState& s) { return s.hash.has_value(); });
   Simulation simulation(small_litter());
-  simulation.run(later.view().step);
-  EXPECT_EQ(later.hash, simulation.hash());
+  simulation.run(hashed.view().step);
+  EXPECT_EQ(hashed.hash, simulation.hash());
+  EXPECT_FALSE(runner.next().hash);
 }
 
 TEST(Runner, PausedAndUnchangedItPublishesNothing) {

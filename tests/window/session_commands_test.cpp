@@ -15,9 +15,13 @@ Command any_command(std::mt19937& random, const Params& params, std::int64_t las
   const auto share = [&] { return static_cast<double>(random() % 1001) / 1000; };
   const char* const names[] = {"ta", "tp", "alpha", "beta", "gravity", "drive", "k1", "dt"};
   const auto any_name = [&] { return names[below(std::size(names))]; };
-  const auto changed = [&](std::string_view name, double value) {
+  struct Value {  // in braces, so that every compiler draws the name first
+    const char* name;
+    double value;
+  };
+  const auto changed = [&](Value asked) {
     Params next = params;
-    find_parameter(name)->set(next, value);
+    find_parameter(asked.name)->set(next, asked.value);
     return next;
   };
   switch (below(16)) {
@@ -26,12 +30,12 @@ Command any_command(std::mt19937& random, const Params& params, std::int64_t las
       return GoTo{below(last + 1)};
     case 2:
     case 3:
-      return Edit{changed(any_name(), share()), params, below(2) == 0};
+      return Edit{changed({any_name(), share()}), params, below(2) == 0};
     case 4:
-      return Edit{changed("dt", 0.002 + 0.01 * share()), params};
+      return Edit{changed({"dt", 0.002 + 0.01 * share()}), params};
     case 5:
-      return below(4) == 0 ? Edit{changed("pups", 2.0 + static_cast<double>(below(3))), params}
-                           : Edit{changed("heading", static_cast<double>(below(2))), params};
+      return below(4) == 0 ? Edit{changed({"pups", 2.0 + static_cast<double>(below(3))}), params}
+                           : Edit{changed({"heading", static_cast<double>(below(2))}), params};
     case 6:
       return RampTo{place(any_name()), share(), 1 + below(80), below(2) == 0};
     case 7:
@@ -47,7 +51,8 @@ Command any_command(std::mt19937& random, const Params& params, std::int64_t las
     case 13:
       return below(3) == 0 ? Command{Restart{}} : Command{Advance{below(30)}};
     case 14:
-      return below(2) == 0 ? Compare{} : Compare{changed(any_name(), 0.1 + share()), below(2) == 0};
+      return below(2) == 0 ? Compare{}
+                           : Compare{changed({any_name(), 0.1 + share()}), below(2) == 0};
     default:
       return below(2) == 0 ? Command{Watch{}}
                            : Command{Watch{.parts = {Part::strain, Part::sides}}};

@@ -98,7 +98,7 @@ TEST(Session, ShowsWarningsUntilTheLitterIsANewOne) {
   ASSERT_FALSE(snapshot.warnings.empty());
   EXPECT_EQ(snapshot.warnings[0].kind, Warning::Kind::outside);
   session.apply(Restart{});
-  session.fill(snapshot, false);
+  session.fill(snapshot);
   EXPECT_TRUE(snapshot.warnings.empty());
 }
 
@@ -241,13 +241,13 @@ TEST(Session, OpenTakesAnotherRecipeWithItsSchedule) {
   session.apply(Open{other, {}});
   LiveState state;
   for (int i = 0; i < 5; ++i) session.step();
-  session.fill(state, true);
+  session.fill(state);
   Simulation simulation(other);
   simulation.run(5);
   EXPECT_EQ(state.hash, simulation.hash());
   EXPECT_EQ(state.view().recipe, other);
   session.apply(Restart{});
-  session.fill(state, true);
+  session.fill(state);
   EXPECT_EQ(state.view().recipe, other) << "a restart keeps the schedule";
 }
 
@@ -261,7 +261,7 @@ TEST(Session, OpenGoesOnFromASnapshot) {
   simulation.run(5);
   for (int i = 0; i < 5; ++i) session.step();
   LiveState state;
-  session.fill(state, true);
+  session.fill(state);
   EXPECT_EQ(state.view().step, 25);
   EXPECT_EQ(state.hash, simulation.hash());
 }

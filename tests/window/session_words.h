@@ -30,7 +30,8 @@ inline std::size_t place(std::string_view name) {
 
 inline LiveState look_at(Session& session) {
   LiveState state;
-  session.fill(state, true);
+  session.apply(Hash{});
+  session.fill(state);
   return state;
 }
 

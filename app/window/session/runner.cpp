@@ -166,7 +166,7 @@ void Runner::publish() {
     requested_ = commanded_ = false;
   }
   published_ = now;
-  session_.fill(*back_, options_.hashed);
+  session_.fill(*back_);
   back_->steps_per_second = steps_per_second_;
   back_->microseconds_per_step = microseconds_per_step_;
   bool told = false;  // of one that is not taken yet

@@ -25,7 +25,6 @@ class Runner {
     std::optional<Snapshot> from = {};  // a litter of that recipe to begin with; none: a new one
     bool playing = true;
     int threads = 1;               // for the loops of a step
-    bool hashed = false;           // snapshots hold the hash
     std::function<void()> notify;  // called on the runner's thread when a snapshot is ready
   };
 

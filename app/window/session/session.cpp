@@ -21,7 +21,7 @@ bool waits(const Command& command) {
         using Asked = std::remove_cvref_t<decltype(asked)>;
         return !(std::is_same_v<Asked, GoTo> || std::is_same_v<Asked, Speed> ||
                  std::is_same_v<Asked, ColorBy> || std::is_same_v<Asked, Watch> ||
-                 std::is_same_v<Asked, Suspend>);
+                 std::is_same_v<Asked, Suspend> || std::is_same_v<Asked, Hash>);
       },
       command);
 }
@@ -95,9 +95,11 @@ void Session::carry_out(const Command& command) {
           redo();
         } else if constexpr (std::is_same_v<Asked, Pull>) {
           pull(asked);
-        } else {
-          static_assert(std::is_same_v<Asked, Compare>);
+        } else if constexpr (std::is_same_v<Asked, Compare>) {
           compare(asked);
+        } else {
+          static_assert(std::is_same_v<Asked, Hash>);
+          hash_wanted_ = true;
         }
       },
       command);
@@ -129,10 +131,9 @@ void Session::open(const Open& asked) {
 /// Has the steps to come record what is shown; at rest the last one is taken again for it.
 void Session::record() {
   const PartSet wanted = color_by_->parts | watch_.parts;
-  const bool rests = !playing_ && pending_ == 0 && !seeking();
   for (Litter* litter : litters()) {
     litter->record(wanted);
-    if (rests && litter->ok() && !litter->recorded()) litter->seek_anew();
+    if (rests() && litter->ok() && !litter->recorded()) litter->seek_anew();
   }
 }
 
@@ -198,7 +199,7 @@ void Session::see_parting() {
   if (parted(first_.simulation(), second_->simulation())) first_.run().diverged_at = first_.at();
 }
 
-void Session::fill(LiveState& state, bool with_hash) {
+void Session::fill(LiveState& state) {
   changed_ = false;
   fill_litter(first_, state);
   if (second_) {
@@ -224,7 +225,8 @@ void Session::fill(LiveState& state, bool with_hash) {
   state.refusals = refusals_;
   state.gone_to = gone_to_;
   state.hash.reset();
-  if (with_hash) state.hash = first_.simulation().hash();
+  const bool wanted = std::exchange(hash_wanted_, false);
+  if (wanted || rests()) state.hash = first_.simulation().hash();
 }
 
 void Session::fill_litter(const Litter& litter, LitterState& state) const {

@@ -74,8 +74,9 @@ struct Compare {               // step a second litter beside this one; none: on
   std::optional<Params> with;  // what differs from the present parameters differs in it
   bool from_now = false;       // it begins as this litter is now; otherwise both begin anew
 };
+struct Hash {};  // the next LiveState holds the hash; those at rest do anyway
 using Command = std::variant<PlayPause, Advance, Speed, Edit, Restart, Open, ColorBy, Watch,
-                             Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare>;
+                             Suspend, GoTo, SwapFuture, RampTo, Undo, Redo, Pull, Compare, Hash>;
 
 /// One litter as the window shows it.
 struct LitterState {
@@ -93,13 +94,13 @@ struct LiveState : LitterState {
   std::optional<LitterState> second;        // while comparing
   std::optional<std::int64_t> diverged_at;  // the step at which the two were seen to part
   bool playing = false;
-  double speed = 1;                  // as asked for
-  double steps_per_second = 0;       // as measured; 0 while at rest
-  double microseconds_per_step = 0;  // as measured
-  std::string rejected;              // why the last edit was not taken; empty when it was
-  std::int64_t refusals = 0;         // edits and openings that were not taken, of all so far
-  std::int64_t gone_to = 0;          // the number of the last GoTo
-  std::optional<std::uint64_t> hash;
+  double speed = 1;                   // as asked for
+  double steps_per_second = 0;        // as measured; 0 while at rest
+  double microseconds_per_step = 0;   // as measured
+  std::string rejected;               // why the last edit was not taken; empty when it was
+  std::int64_t refusals = 0;          // edits and openings that were not taken, of all so far
+  std::int64_t gone_to = 0;           // the number of the last GoTo
+  std::optional<std::uint64_t> hash;  // of the first litter: at rest, and after Hash
 };
 
 /// Carries out commands on a litter, or on two that are stepped beside each other. Not thread-safe.
@@ -133,9 +134,8 @@ class Session {
   /// Whether there is something new to show since the last `fill`: not on the way to another step.
   bool changed() const { return changed_ && !seeking(); }
 
-  /// Writes the state into `state` (what is measured by the clock is left as it is). With
-  /// `with_hash` the simulation's hash too.
-  void fill(LiveState& state, bool with_hash);
+  /// Writes the state into `state` (what is measured by the clock is left as it is).
+  void fill(LiveState& state);
 
  private:
   /// How a litter begins: its recipe, and the snapshot that holds for, if any.
@@ -146,6 +146,7 @@ class Session {
 
   // session.cpp: commands and steps.
   void carry_out(const Command& command);
+  bool rests() const { return !playing_ && pending_ == 0 && !seeking(); }
   bool seeking() const { return first_.seeking() || (second_ && second_->seeking()); }
   bool ok() const { return first_.ok() && (!second_ || second_->ok()); }
   std::vector<Litter*> litters();
@@ -194,7 +195,7 @@ class Session {
   const LitterField* color_by_ = &pup_fields().front();
   Watch watch_{};
   int threads_;  // that share a step
-  bool suspended_ = false, playing_, changed_ = true;
+  bool suspended_ = false, playing_, changed_ = true, hash_wanted_ = false;
   bool interrupted_ = false;  // it was playing when the numbers went wrong
   std::int64_t pending_ = 0;  // steps still to be made by Advance
   double speed_ = 1;

@@ -16,8 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Long enough to be disturbed in the middle: mpirun forwards a signal after a second.
-constexpr int kSeeds = 40, kSteps = 6000;
+// Long enough to be disturbed in the middle: mpirun forwards a signal after a second. A sanitizer makes a
+// step ten times as long.
+constexpr int kSeeds = 40;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kSteps = 600;
+#else
+constexpr int kSteps = 6000;
+#endif
 
 class FailingRanks : public Ranks {
  protected:

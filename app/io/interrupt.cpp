@@ -3,21 +3,23 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 
 namespace pupflow::io {
 
-// Shared like the functions of the header, in case a compiler inlines these in a module.
-extern volatile std::sig_atomic_t came;
-[[gnu::visibility("default")]] volatile std::sig_atomic_t came = 0;
+// Shared like the functions of the header, in case a compiler inlines these in a module. Other threads than
+// that of the handler read it.
+extern std::atomic<bool> came;
+[[gnu::visibility("default")]] std::atomic<bool> came = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a handler takes no lock");
 
 namespace {
 
 void note_signal(int) {
-  if (came != 0) _exit(130);
-  came = 1;
+  if (came.exchange(true)) _exit(130);
 }
 
 }  // namespace
@@ -36,7 +38,7 @@ void watch_for_interrupt() {
 }
 
 bool interrupted() {
-  return came != 0;
+  return came;
 }
 
 bool wait_until_ready(int descriptor, short events) {

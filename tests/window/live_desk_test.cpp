@@ -32,8 +32,7 @@ class LiveDesk : public Live {
   void answer_name(const std::string& name) {
     await("widget dialog-name ");
     await("text on");
-    screen_.hand({"sleep", "0.2", "key", "ctrl+a", "sleep", "0.1", "type", "--delay", "40", name});
-    screen_.hand({"sleep", "0.2", "key", "Return"});
+    enter(name);
   }
 
   static std::string settings_path() { return config_folder() + "/pupflow/settings.toml"; }

@@ -58,7 +58,9 @@ class Live : public ::testing::Test {
   /// Types a number into a slider as its help says: Ctrl + click, number, Enter.
   void type_into_slider(const std::string& name, const std::string& text);
 
-  /// Replaces what the field with the keyboard holds.
+  /// Replaces what the field with the keyboard holds, and ends with Enter.
+  void enter(const std::string& text);
+  /// The same, until the field has no keyboard any more.
   void type(const std::string& text);
 
   int exit_code() { return window_->wait().value_or(-1); }

@@ -52,7 +52,7 @@ def bash(script):
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode != 0:
         raise SystemExit(f"exit code {done.returncode} of\n{script}\nafter\n{done.stdout}")
-    return re.sub(r"^.* \d+ of \d+, \d+ s left\n", "", done.stdout, flags=re.MULTILINE)
+    return re.sub(r"^.* \d+ of \d+, .* left\n", "", done.stdout, flags=re.MULTILINE)
 
 
 def run_shell(block):

@@ -64,7 +64,7 @@ TEST_F(Picture, IsDrawnOfEveryKindOfSweep) {
       {"--vary", "ta=0,1", "--set", "pups=0"}};
   for (Words kind : kinds) {
     const bool seeds = kind.size() > 3 && kind[2] == "--seeds";
-    Words words = small("sweep", {"--out", "s", "--force"});
+    Words words = small("sweep", {"--out", "s", "--force", "--quiet"});
     if (!seeds) words.insert(words.end(), {"--seeds", "2"});
     words.insert(words.end(), kind.begin(), kind.end());
     const Outcome outcome = pupflow(words);

@@ -2,4 +2,6 @@
 // a leak is, and leaks.txt can name the drivers that keep some until the end.
 #include <dlfcn.h>
 
-extern "C" __attribute__((visibility("default"))) int dlclose(void* /*module*/) { return 0; }
+extern "C" __attribute__((visibility("default"))) int dlclose(void* /*module*/) {
+  return 0;
+}

@@ -76,6 +76,8 @@ void LiveWindow::take_picture() {
   if (!state.hash) {
     picture_waits_ = true;
     runner_.send(Hash{});
+    runner_.request();  // also while nothing is shown
+    schedule_.snapshot_requested();
     return;
   }
   std::shared_ptr<Taken> taken;

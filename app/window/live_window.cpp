@@ -68,7 +68,7 @@ LiveWindow::LiveWindow(const LiveJob& job, const Settings& settings)
 }
 
 void LiveWindow::run() {
-  while (!closing()) {
+  while (!closing() || picture_waits_) {
     wait_for_events();
     if (io::interrupted()) {
       throw io::Failure(io::ExitCode::interrupted,

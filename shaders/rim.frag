@@ -1,6 +1,6 @@
 #version 330 core
 
-noperspective in float across;
+in float across;
 in float shown;
 
 uniform vec3 color;

@@ -13,8 +13,8 @@ uniform int segments;
 uniform vec2 half_viewport;  // pixels
 uniform float half_width;    // pixels, the soft edge included
 
-noperspective out float across;  // pixels from the middle of the line
-out float shown;                 // share of a pixel of the side that is seen
+out float across;  // pixels from the middle of the line
+out float shown;   // share of a pixel of the side that is seen
 
 void main() {
   float angle = 6.2831853 * float(gl_VertexID / 2) / float(segments);

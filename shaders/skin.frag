@@ -1,6 +1,6 @@
 #version 330 core
 
-noperspective in vec4 shade;
+in vec4 shade;
 
 out vec4 fragment;
 

@@ -6,7 +6,7 @@ layout(location = 1) in vec4 color;
 
 uniform mat4 clip_from_world;
 
-noperspective out vec4 shade;
+out vec4 shade;
 
 void main() {
   shade = color;

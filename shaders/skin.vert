@@ -6,7 +6,7 @@ layout(location = 1) in vec4 color;
 
 uniform mat4 clip_from_world;
 
-out vec4 shade;
+out vec4 shade;  // llvmpipe 22 makes a noperspective one NaN where it clips a triangle
 
 void main() {
   shade = color;

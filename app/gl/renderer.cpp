@@ -194,17 +194,15 @@ void Renderer::draw(const view::Camera& camera, const Viewport& viewport, int su
   draw_part(frame, {0, 0, viewport.width, viewport.height}, viewport.x, viewport.y);
 }
 
-io::Image Renderer::picture(const view::Camera& camera, int width, int height, int supersample,
-                            const Palette& palette) {
+void Renderer::draw(const view::Camera& camera, io::Image& image, int width, int height,
+                    int supersample, const Palette& palette) {
   const Frame frame = frame_of(camera, width, height, supersample, palette);
-  io::Image image(width, height);
   for_each_part(width, height, kLargestPart, [&](const Viewport& part) {
     picture_.resize(part.width, part.height);
     picture_.bind();
     draw_part(frame, part, 0, 0);
     picture_.read(image, part.x, height - part.y - part.height);
   });
-  return image;
 }
 
 Renderer::Frame Renderer::frame_of(const view::Camera& camera, int width, int height,

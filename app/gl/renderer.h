@@ -45,9 +45,17 @@ class Renderer {
   void draw(const view::Camera& camera, const Viewport& viewport, int supersample,
             const Palette& palette = {});
 
+  /// The same into the upper left of `image`, which holds `width` x `height` pixels at least.
+  void draw(const view::Camera& camera, io::Image& image, int width, int height, int supersample,
+            const Palette& palette = {});
+
   /// The same into a picture of its own.
   io::Image picture(const view::Camera& camera, int width, int height, int supersample,
-                    const Palette& palette = {});
+                    const Palette& palette = {}) {
+    io::Image image(width, height);
+    draw(camera, image, width, height, supersample, palette);
+    return image;
+  }
 
  private:
   /// Vertices on their way to the driver.

@@ -101,45 +101,46 @@ io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
   renderer.upload(list_);
   gl::Palette palette;
   palette.transparent = look_.transparent;
-  io::Image scene = renderer.picture(camera, scene_width_, height_, look_.samples(), palette);
-  if (look_.transparent) unmultiply(scene);
-  add_overlays(scene, litter, camera);
-  return bar_ ? with_legend(std::move(scene), litter.params.preferred_temperature) : scene;
+  io::Image picture(width_, height_);  // one: large pictures fill the memory
+  renderer.draw(camera, picture, scene_width_, height_, look_.samples(), palette);
+  if (look_.transparent) unmultiply(picture);
+  add_overlays(picture, litter, camera);
+  if (bar_) add_legend(picture, litter.params.preferred_temperature);
+  return picture;
 }
 
-void Picture::add_overlays(io::Image& scene, const LitterView& litter, const view::Camera& camera) {
+void Picture::add_overlays(io::Image& picture, const LitterView& litter,
+                           const view::Camera& camera) {
   marks_ = more_;
   watch(litter);
   look_.overlays.draw({litter, list_.scale(), centres_of(litter), trails_}, marks_);
-  const view::Projection projection(camera, list_.bounds(), scene.width, scene.height,
-                                    list_.balls());
+  const view::Projection projection(camera, list_.bounds(), scene_width_, height_, list_.balls());
   const view::TextWidth width_of = [&](const view::TextLine& line, double size) {
     return text_.width(line, size);
   };
   const Annotated annotated{.litter = litter,
                             .camera = camera,
                             .projection = projection,
-                            .width = static_cast<double>(scene.width),
-                            .height = static_cast<double>(scene.height),
+                            .width = static_cast<double>(scene_width_),
+                            .height = static_cast<double>(height_),
                             .text_size = style_.text_size,
                             .ink = style_.ink,
                             .width_of = width_of};
-  view::paint(scene, text_, annotations(marks_, scene.height / view::kMarkRows, look_, annotated));
+  view::paint(picture, text_, annotations(marks_, height_ / view::kMarkRows, look_, annotated));
 }
 
-io::Image Picture::with_legend(io::Image scene, double tp) {
-  io::Image picture(width_, height_);
-  if (!look_.transparent) {
-    view::fill(picture, {0, 0, width_, height_}, gl::Palette{}.background);
+void Picture::add_legend(io::Image& picture, double tp) {
+  const view::Box strip{scene_width_, 0, width_ - scene_width_, height_};
+  if (look_.transparent) {
+    view::fill(picture, strip, {}, 0);
+  } else {
+    view::fill(picture, strip, gl::Palette{}.background);
   }
-  view::blit(picture, scene, 0, 0);
-  scene = {};  // large pictures fill the memory
   const int inset = height_ / 8;
   const view::Box bar{scene_width_ + margins_.left, inset, bar_width_, height_ - 2 * inset};
   view::draw_color_bar(picture, text_,
                        view::lay_out_color_bar(bar, margins_, list_.scale(), tp, style_),
                        style_.ink);
-  return picture;
 }
 
 io::TextEntries Picture::look_entries() const {

@@ -76,8 +76,8 @@ class Picture {
 
  private:
   view::ColorScale scale_for(const LitterView& litter);
-  void add_overlays(io::Image& scene, const LitterView& litter, const view::Camera& camera);
-  io::Image with_legend(io::Image scene, double tp);
+  void add_overlays(io::Image& picture, const LitterView& litter, const view::Camera& camera);
+  void add_legend(io::Image& picture, double tp);
 
   int width_, height_;
   bool bar_;

@@ -35,11 +35,11 @@ void blend(io::Image& image, int x, int y, Rgb color, double cover) {
   mix(pixel[3], 255, cover);
 }
 
-void fill(io::Image& image, const Box& box, Rgb color) {
+void fill(io::Image& image, const Box& box, Rgb color, std::uint8_t alpha) {
   const Box inside = clip(image, box);
   for (int y = inside.y; y < inside.y + inside.height; ++y) {
     for (int x = inside.x; x < inside.x + inside.width; ++x) {
-      const std::uint8_t rgba[4] = {color.r, color.g, color.b, 255};
+      const std::uint8_t rgba[4] = {color.r, color.g, color.b, alpha};
       std::memcpy(image.pixel(x, y), rgba, 4);
     }
   }

@@ -17,8 +17,8 @@ struct Box {
 /// Mixes `color` over the pixel (x, y) with `cover` in 0 ... 1; outside the picture, nothing.
 void blend(io::Image& image, int x, int y, Rgb color, double cover);
 
-/// Fills `box` with an opaque color.
-void fill(io::Image& image, const Box& box, Rgb color);
+/// Fills `box` with a color, opaque unless told otherwise.
+void fill(io::Image& image, const Box& box, Rgb color, std::uint8_t alpha = 255);
 
 /// Draws a frame of `width` pixels just inside `box`.
 void frame(io::Image& image, const Box& box, int width, Rgb color);

@@ -69,10 +69,6 @@ Picture::Picture(int width, int height, bool bar, const Look& look)
   scene_width_ = bar_ ? width - strip : width;
 }
 
-void Picture::watch(const LitterView& litter) {
-  if (look_.overlays.has("trails")) trails_.add(litter);
-}
-
 void Picture::set_scale(const view::ColorScale& scale) {
   look_.scale = scale;
   shown_.reset();
@@ -112,7 +108,7 @@ io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
 void Picture::add_overlays(io::Image& picture, const LitterView& litter,
                            const view::Camera& camera) {
   marks_ = more_;
-  watch(litter);
+  if (look_.overlays.has("trails")) trails_.add(litter);
   look_.overlays.draw({litter, list_.scale(), centres_of(litter), trails_}, marks_);
   const view::Projection projection(camera, list_.bounds(), scene_width_, height_, list_.balls());
   const view::TextWidth width_of = [&](const view::TextLine& line, double size) {

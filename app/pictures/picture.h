@@ -49,10 +49,7 @@ class Picture {
   /// memory does not suffice.
   void refuse_large() const;
 
-  /// Tells of the litter between pictures, for trails. Does nothing without them.
-  void watch(const LitterView& litter);
-
-  /// Where the pups were until now, for trails of the look's length.
+  /// Where the pups were until the next picture, for trails of the look's length.
   void remember(const view::Trails& trails) {
     if (trails.seconds() == look_.trail) trails_ = trails;
   }

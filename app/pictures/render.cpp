@@ -165,22 +165,69 @@ Simulation first_litter(const RenderJob& job) {
   return simulation;
 }
 
-void advance(Simulation& simulation, std::int64_t step, Picture& picture, io::Progress& progress,
-             Writer& writer) {
-  while (simulation.steps_done() < step) {
-    if (io::interrupted()) {
-      throw io::Failure(io::ExitCode::interrupted, "interrupted after step " +
-                                                       std::to_string(simulation.steps_done()) +
-                                                       "; " + writer.summary());
-    }
-    const Status status = simulation.step();
-    if (!status.ok()) {
-      throw io::Failure(io::ExitCode::bad_numbers, status.message() + "; " + writer.summary());
-    }
-    picture.watch(simulation.view());
-    progress.update(simulation.steps_done());
+/// Steps the litter on a thread of its own, while the frame before is drawn.
+class Stepper {
+ public:
+  explicit Stepper(const RenderJob& job)
+      : job_(job),
+        litter_(first_litter(job)),
+        trails_(job.look.overlays.has("trails") ? job.look.trail : 0),
+        progress_("render", job.at.back(), job.output.quiet) {
+    litter_.set_threads(job.threads);
+    watch();
+    begin();
   }
-}
+
+  /// A litter, and where its pups were until then.
+  struct Moment {
+    Simulation litter;
+    view::Trails trails;
+  };
+
+  /// At the next of the job's steps. Throws Failure: bad_numbers, interrupted; it says what `writer`
+  /// has written.
+  Moment next(Writer& writer) {
+    try {
+      thread_.wait_for_all();
+    } catch (const io::Failure& failure) {
+      throw io::Failure(failure.code(), failure.what() + ("; " + writer.summary()));
+    }
+    Moment moment{litter_, trails_};
+    begin();
+    return moment;
+  }
+
+ private:
+  void begin() {
+    if (frame_ == job_.at.size()) return;
+    const std::int64_t step = job_.at[frame_++];
+    thread_.run([this, step] { advance(step); });
+  }
+
+  void advance(std::int64_t step) {
+    while (litter_.steps_done() < step) {
+      if (io::interrupted()) {
+        throw io::Failure(io::ExitCode::interrupted,
+                          "interrupted after step " + std::to_string(litter_.steps_done()));
+      }
+      const Status status = litter_.step();
+      if (!status.ok()) throw io::Failure(io::ExitCode::bad_numbers, status.message());
+      watch();
+      progress_.update(litter_.steps_done());
+    }
+  }
+
+  void watch() {
+    if (trails_.seconds() > 0) trails_.add(litter_.view());
+  }
+
+  const RenderJob& job_;
+  Simulation litter_;
+  view::Trails trails_;
+  io::Progress progress_;
+  std::size_t frame_ = 0;  // of the next one to begin
+  io::Background thread_;  // last: it uses the others
+};
 
 /// The film's frames as PNG files in the folder NAME_frames, numbered by their steps, so that the
 /// order of their names is theirs.
@@ -203,20 +250,19 @@ void render(const RenderJob& job) {
     io::refuse_existing(job.output.path, job.output.force);
     return render(frames_instead(job));
   }
-  Simulation simulation = first_litter(job);
-  simulation.set_threads(job.threads);
   Picture picture(job.width, job.height, job.bar, job.look);
   view::Camera camera = view::framed(job.camera, job.params, picture.scene_aspect());
   const Headless headless(job.look);
   picture.refuse_large();
   check_outputs(job);
   Writer writer(job, camera);
-  io::Progress progress("render", job.at.back(), job.output.quiet);
-  for (const std::int64_t step : job.at) {
-    advance(simulation, step, picture, progress, writer);
-    if (job.follow) camera.look_at(simulation.view().positions.mean(*job.follow));
-    io::Image frame = picture.draw(*headless.renderer, simulation.view(), camera);
-    writer.write(simulation, std::move(frame), camera, picture.look_entries());
+  Stepper stepper(job);
+  for (std::size_t i = 0; i < job.at.size(); ++i) {
+    const auto [litter, trails] = stepper.next(writer);
+    picture.remember(trails);
+    if (job.follow) camera.look_at(litter.view().positions.mean(*job.follow));
+    io::Image frame = picture.draw(*headless.renderer, litter.view(), camera);
+    writer.write(litter, std::move(frame), camera, picture.look_entries());
   }
   writer.close();
 }

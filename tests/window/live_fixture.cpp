@@ -1,6 +1,7 @@
 #include "tests/window/live_fixture.h"
 
 #include <chrono>
+#include <csignal>
 #include <sstream>
 #include <stdexcept>
 
@@ -20,13 +21,24 @@ std::string headless_hash(const Params& params, std::int64_t steps) {
 void Live::open(const std::vector<std::string>& options, const Environment& variables) {
   std::vector<std::string> arguments{PUPFLOW_PROGRAM, "live", "--test-events"};
   arguments.insert(arguments.end(), options.begin(), options.end());
-  window_.reset();
+  close();
   widgets_.clear();
   Environment environment = screen_.environment();
   environment.insert(environment.end(), variables.begin(), variables.end());
   window_ = std::make_unique<Child>(ChildOptions{
       .arguments = arguments, .environment = environment, .folder = scratch_.folder().string()});
   await("camera ");  // printed with the first frame, after the widgets
+}
+
+void Live::close() {
+  if (window_ && window_->pid() > 0) {
+    window_->send_signal(SIGTERM);
+    while (window_->read_line()) continue;  // until its end
+    constexpr int kInterrupted = 130;
+    const int code = exit_code();
+    EXPECT_TRUE(code == 0 || code == kInterrupted) << code << ": " << window_->errors();
+  }
+  window_.reset();
 }
 
 std::string Live::await(const std::string& start) {

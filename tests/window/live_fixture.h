@@ -38,7 +38,10 @@ std::string headless_hash(const Params& params, std::int64_t steps);
 
 class Live : public ::testing::Test {
  protected:
-  /// Opens the window and waits until it stands. A window that was open is gone.
+  /// Every window ends when it is told to, from whatever it is doing.
+  void TearDown() override { close(); }
+
+  /// Opens the window and waits until it stands. One that was open is closed.
   void open(const std::vector<std::string>& options = {}, const Environment& variables = {});
 
   /// The rest of the next line that starts with `start`. Fails the test when none comes.
@@ -70,6 +73,8 @@ class Live : public ::testing::Test {
   std::unique_ptr<Child> window_;
 
  private:
+  /// Ends the window with SIGTERM, unless it has ended.
+  void close();
   void remember(const std::string& line);
 
   std::map<std::string, Widget> widgets_;

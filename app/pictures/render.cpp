@@ -1,6 +1,7 @@
 #include "app/pictures/render.h"
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <optional>
 
@@ -177,6 +178,9 @@ class Stepper {
     watch();
     begin();
   }
+  ~Stepper() { ended_ = true; }
+  Stepper(const Stepper&) = delete;
+  Stepper& operator=(const Stepper&) = delete;
 
   /// A litter, and where its pups were until then.
   struct Moment {
@@ -205,7 +209,7 @@ class Stepper {
   }
 
   void advance(std::int64_t step) {
-    while (litter_.steps_done() < step) {
+    while (litter_.steps_done() < step && !ended_) {
       if (io::interrupted()) {
         throw io::Failure(io::ExitCode::interrupted,
                           "interrupted after step " + std::to_string(litter_.steps_done()));
@@ -226,6 +230,7 @@ class Stepper {
   view::Trails trails_;
   io::Progress progress_;
   std::size_t frame_ = 0;  // of the next one to begin
+  std::atomic<bool> ended_ = false;
   io::Background thread_;  // last: it uses the others
 };
 

@@ -258,6 +258,13 @@ TEST_F(Hostile, FramesMayHaveFoldersOfTheirOwn) {
   EXPECT_TRUE(std::filesystem::exists(scratch_.path("f1/a.png")));
 }
 
+TEST_F(Hostile, AFrameThatCannotBeWrittenIsToldBeforeTheNextOneIsReached) {
+  EXPECT_THAT(line(4, pupflow_behind("ulimit -f 1; exec", {"render", "--at", "0,1,1000000000",
+                                                           "--set", "steps=1000000000", "--size",
+                                                           "64x64", "--out", "%d.png", "--quiet"})),
+              HasSubstr("0.png: "));
+}
+
 TEST_F(Hostile, ALimitOfAddressSpaceIsSeenBeforeTheDriverIsLoaded) {
   for (const char* verb : {"render", "figure1"}) {
     EXPECT_THAT(line(5, pupflow_behind("ulimit -v 400000; exec", {verb, "--quiet"})),

@@ -144,10 +144,11 @@ def blocks(page):
 
 
 def words(text):
-    """The lines of an output, without the numbers that differ from machine to machine."""
-    lines = [line.rstrip() for line in text.strip("\n").splitlines()]
-    return [re.sub(r"\s+", " ", re.sub(r"\b[0-9a-f]{16}\b|[\d.]+|#+", "", line))
-            if any(re.search(pattern, line) for pattern in MACHINE) else line for line in lines]
+    """The lines of an output, without the numbers that differ from machine to machine, and widths of columns."""
+    lines = [re.sub(r"\b[0-9a-f]{16}\b|[\d.]+|#+", "", line)
+             if any(re.search(pattern, line) for pattern in MACHINE) else line
+             for line in text.strip("\n").splitlines()]
+    return [re.sub(r"\s+", " ", line).rstrip() for line in lines]
 
 
 def spoken(page):

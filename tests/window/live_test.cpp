@@ -211,7 +211,7 @@ TEST_F(Live, APausedWindowAtRestDrawsNoFrames) {
 TEST_F(Live, CtrlCEndsItWithItsOwnCode) {
   open();
   window_->send_signal(SIGINT);
-  EXPECT_EQ(exit_code(), 130);
+  EXPECT_EQ(exit_code(), 130) << window_->errors();
 }
 
 TEST_F(Live, ClosesByItselfWhenAsked) {

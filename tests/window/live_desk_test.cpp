@@ -155,6 +155,22 @@ TEST_F(LiveDesk, OpensFilesByDialogAndSaysWhyOneCannotBe) {
   EXPECT_EQ(await("value pups "), "2");
 }
 
+TEST_F(LiveDesk, OpensARecentFileFromTheMenuOfTheNextWindow) {
+  scratch_.file("fine.toml", "title = 'Fine'\npups = 2\n");
+  open({"--paused"});
+  screen_.press("ctrl+o");
+  answer_name("fine.toml");
+  EXPECT_EQ(await("opened "), scratch_.path("fine.toml"));
+  screen_.press("q");
+  EXPECT_EQ(exit_code(), 0);
+  open({"--paused"});
+  click("menu-Scene");
+  click("menu-recent");
+  click("menu-recent-0");
+  EXPECT_EQ(await("opened "), scratch_.path("fine.toml"));
+  EXPECT_EQ(await("value pups "), "2");
+}
+
 TEST_F(LiveDesk, OpensACheckpointWithItsLitter) {
   Params params;
   params.seed = 12;

@@ -90,6 +90,26 @@ TEST_F(LivePlots, WhatTheyShowIsSavedAsCsv) {
   EXPECT_GT(file.columns().size(), columns);
 }
 
+TEST_F(LivePlots, ThePhasePlotTellsOfTheStepUnderTheMouse) {
+  open({"--paused", "--size", "1400x900"});
+  screen_.press("shift+n");
+  await("hash 100 ");
+  click("plots");
+  await("widget phase ");
+  click("phase");
+  const Box plot = widget("phase-plot");
+  // T_a is 0.5 all along: one of these lies near the middle of the plot's paper.
+  for (int x = plot.middle_x(); x < plot.x + plot.width * 2 / 3; x += 8) {
+    for (int y = plot.y + 20; y < plot.y + plot.height; y += 12) {
+      screen_.hand({"mousemove", std::to_string(x), std::to_string(y)});
+      while (const auto line = window_->read_line(std::chrono::milliseconds(60))) {
+        if (line->starts_with("phase at ")) return;
+      }
+    }
+  }
+  FAIL() << "no place of the plot told of a step";
+}
+
 TEST_F(LivePlots, PhasePlotAndHistogramsOpen) {
   open({"--paused", "--size", "1400x900"});
   click("plots");

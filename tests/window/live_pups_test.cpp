@@ -172,6 +172,40 @@ TEST_F(LivePups, TheInspectorShowsEveryFieldOfThePup) {
   }
 }
 
+TEST_F(LivePups, TheSkinTellsOfTheAfferentUnderTheMouse) {
+  open_litter();
+  screen_.press("Tab");
+  for (const char* map : {"disc", "cross"}) {
+    const Box skin = widget(map);
+    screen_.hand({"mousemove", std::to_string(skin.middle_x()), std::to_string(skin.middle_y())});
+    while (await("tip ") == "none") {
+    }
+    screen_.hand({"mousemove", "700", "450"});
+    while (await("tip ") != "none") {
+    }
+  }
+}
+
+TEST_F(LivePups, AClickOnATouchedAfferentSelectsThePupThatTouchesIt) {
+  // Two pups that lie on each other: from every side one touches the other somewhere.
+  open({"--paused", "--set", "pups=2", "--set", "start_spread=0"});
+  screen_.press("shift+n");
+  await("hash 100 ");
+  screen_.press("Tab");
+  ASSERT_EQ(await("selected "), "0");
+  const Box skin = widget("cross");
+  constexpr int kColumns = 24;
+  for (int i = 0; i < kColumns * kColumns; ++i) {
+    const int x = skin.x + (2 * (i % kColumns) + 1) * skin.width / (2 * kColumns);
+    const int y = skin.y + (2 * (i / kColumns) + 1) * skin.height / (2 * kColumns);
+    screen_.click(x, y);
+    while (const auto line = window_->read_line(std::chrono::milliseconds(30))) {
+      if (*line == "selected 1") return;
+    }
+  }
+  FAIL() << "no afferent was touched";
+}
+
 TEST_F(LivePups, ADoubleClickFollowsSoThatThePupIsInTheMiddle) {
   open_litter();
   const Simulation simulation = litter();

@@ -127,6 +127,7 @@ void draw_phase_panel(const PanelInput& in) {
     note = pointed_text(plot, paper, trail);
   }
   if (note.empty()) note = "T_a; grey: Figure 2, its mean and deviation";
+  in.events.note("phase", note);
   small_rich_text(in.fonts, kFaint, note);
 }
 

@@ -7,12 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "pupflow/export.h"
 #include "pupflow/observer.h"
 #include "pupflow/parameters.h"
 #include "pupflow/status.h"
 
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// What was seen after one step of a run.
 struct Sample {
@@ -58,4 +58,5 @@ void run_ensemble(std::int64_t count, int threads,
 /// sweep of up to 2^31 runs.
 std::int64_t run_seed(std::int64_t base_seed, std::int64_t run);
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "pupflow/export.h"
 #include "pupflow/plan.h"
 #include "pupflow/view.h"
 
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// How the values of a field are to be read, and so drawn.
 enum class FieldKind {
@@ -113,4 +113,5 @@ std::vector<int> group_labels(int pups, std::span<const TouchingPair> touching);
 /// Pups in each of the groups of `labels` (group_labels).
 std::vector<int> group_sizes(std::span<const int> labels);
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

@@ -6,10 +6,10 @@
 #include <array>
 #include <vector>
 
-#include "pupflow/export.h"
 #include "pupflow/parameters.h"
 
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// n = 6 k^2 points on a sphere of radius `radius` > 0 round the origin, face by face: three faces
 /// of a cube, then the opposite ones, so that point n/2 + i is minus point i, to the bit. k =
@@ -45,4 +45,5 @@ std::vector<std::array<int, 3>> surface_triangles(int face_points);
 /// Each pup has a random stream of its own. `params` must be sound (`check`).
 std::vector<Eigen::Vector3d> start_centres(const Params& params);
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

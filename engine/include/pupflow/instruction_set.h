@@ -5,9 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "pupflow/export.h"
-
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// Results have the same bits with each.
 enum class InstructionSet { baseline, avx2, avx512 };
@@ -18,4 +17,5 @@ std::string_view instruction_set_name(InstructionSet set);
 /// The instruction sets that both this processor and this build have, fastest last. Never empty.
 std::span<const InstructionSet> supported_instruction_sets();
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "pupflow/export.h"
 #include "pupflow/fields.h"
 #include "pupflow/view.h"
 
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// Some of the observables.
 class ObservableSet {
@@ -106,4 +106,5 @@ class RunMeans {
   std::vector<double> exposed_mean_, exposed_m2_;  // Welford's running moments, one per pup
 };
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

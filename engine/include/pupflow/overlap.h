@@ -16,11 +16,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "pupflow/export.h"
 #include "pupflow/geometry.h"
 #include "pupflow/view.h"
 
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// How the bodies overlap after one step. Without a second pup the distances are infinite.
 struct Overlap {
@@ -74,4 +74,5 @@ class OverlapMeans {
   Overlap sum_;
 };
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

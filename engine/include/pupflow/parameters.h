@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "pupflow/export.h"
 #include "pupflow/schedule.h"
 
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// What a pup steers about: a direction of travel of its own, or the axis of its body.
 /// docs/model.md has the equations of this rule and of those below.
@@ -193,4 +193,5 @@ class InvalidParams : public std::invalid_argument {
   std::vector<Problem> problems_;
 };
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

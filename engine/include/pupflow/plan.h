@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "pupflow/export.h"
 #include "pupflow/parameters.h"
 #include "pupflow/status.h"
 
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// Parts of stages that not every scene needs, in the order of their stages.
 enum class Part {
@@ -139,4 +139,5 @@ std::vector<Decision> explain_plan(const Params& params, PartSet observed);
 /// `stage` with those of its parts that the scene would need if it needed the stage.
 Plan whole_stage(Stage stage, const Params& params, PartSet observed);
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

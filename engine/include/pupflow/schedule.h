@@ -10,9 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "pupflow/export.h"
-
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// What is done to a pup beside what it does by itself.
 struct Action {
@@ -83,4 +82,5 @@ class Schedule {
   std::vector<Change> changes_;
 };
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

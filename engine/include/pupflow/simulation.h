@@ -8,14 +8,14 @@
 #include <span>
 #include <vector>
 
-#include "pupflow/export.h"
 #include "pupflow/instruction_set.h"
 #include "pupflow/parameters.h"
 #include "pupflow/plan.h"
 #include "pupflow/snapshot.h"
 #include "pupflow/status.h"
 
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 class LitterModel;
 
@@ -153,4 +153,5 @@ class Simulation {
   std::unique_ptr<LitterModel> model_;
 };
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

@@ -4,9 +4,8 @@
 
 #include <vector>
 
-#include "pupflow/export.h"
-
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// The place of an afferent on the cube from which the pup's sphere is made. Faces 0, 1, 2 are
 /// those of the body's x, y and z axes, 3, 4, 5 the opposite ones.
@@ -47,4 +46,5 @@ struct SkinSheet {
 /// in body axes: z in the middle, -z at the four corners.
 SkinSheet skin_sheet(int face_points);
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

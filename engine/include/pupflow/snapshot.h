@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "pupflow/export.h"
 #include "pupflow/parameters.h"
 #include "pupflow/view.h"
 
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// The step and the time at which dt last changed. Time is counted from there, in one product,
 /// since adding up dt step by step would gather rounding errors.
@@ -53,4 +53,5 @@ struct Snapshot {
   LitterView view() const;
 };
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

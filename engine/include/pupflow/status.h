@@ -10,9 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "pupflow/export.h"
-
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// The stages of a step, in the order in which they run. Only with integrator = explicit
 /// shape_match runs before predict. A step leaves out the stages that its scene does not need
@@ -109,4 +108,5 @@ class Warnings {
 /// Their messages, joined by "; "; empty when there is none.
 std::string warnings_text(std::span<const Warning> warnings);
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

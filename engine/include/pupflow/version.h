@@ -4,9 +4,8 @@
 
 #include <string_view>
 
-#include "pupflow/export.h"
-
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// Semantic versioning: https://semver.org.
 struct Version {
@@ -21,4 +20,5 @@ Version version();
 /// The same as text, e.g. "0.2.0".
 std::string_view version_text();
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

@@ -10,11 +10,11 @@
 #include <span>
 #include <vector>
 
-#include "pupflow/export.h"
 #include "pupflow/parameters.h"
 #include "pupflow/plan.h"
 
-namespace pupflow PUPFLOW_PUBLIC {
+#pragma GCC visibility push(default)
+namespace pupflow {
 
 /// Two pups that touched in the last step, first < second.
 struct TouchingPair {
@@ -144,4 +144,5 @@ class LitterCopy {
   PartSet recorded_;
 };
 
-}  // namespace PUPFLOW_PUBLIC
+}  // namespace pupflow
+#pragma GCC visibility pop

@@ -10,12 +10,12 @@ namespace pupflow::cli {
 
 Verb add_compare(CLI::App& program) {
   CLI::App* app = program.add_subcommand("compare", "Compare the summaries of two sweeps");
-  struct Options {
+  struct CompareOptions {
     std::vector<std::string> paths;
     bool json = false;
     bool celsius = false;
   };
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareOptions>();
   app->add_option("SWEEP", options->paths,
                   "Two folders of sweeps, or their summary.csv, with the same points")
       ->option_text(" ")

@@ -53,18 +53,18 @@ Words overlays() {
 }
 
 /// How help writes an argument, and what it may be.
-struct Kind {
+struct ValueKind {
   std::string_view argument;
   Words (*words)();
 };
-constexpr std::array<Kind, 8> kKinds{{{"NAME=VALUE", settings},
-                                      {"RANGE", settings},
-                                      {"FIELD", fields},
-                                      {"FIELD,...", fields},
-                                      {"STATISTIC", statistics},
-                                      {"OVERLAY,...", overlays},
-                                      {"SCENE", scenes},
-                                      {"NAME", scenes}}};
+constexpr std::array<ValueKind, 8> kValueKinds{{{"NAME=VALUE", settings},
+                                                {"RANGE", settings},
+                                                {"FIELD", fields},
+                                                {"FIELD,...", fields},
+                                                {"STATISTIC", statistics},
+                                                {"OVERLAY,...", overlays},
+                                                {"SCENE", scenes},
+                                                {"NAME", scenes}}};
 
 /// Whether the argument is a choice of words: a|b|c.
 bool is_choice(const std::string& argument) {
@@ -134,7 +134,7 @@ std::string verb_names(const Page& program) {
 }  // namespace
 
 std::vector<std::string> words_for(const std::string& argument) {
-  for (const Kind& kind : kKinds) {
+  for (const ValueKind& kind : kValueKinds) {
     if (kind.argument == argument) return kind.words();
   }
   Words words;

@@ -17,7 +17,7 @@
 namespace pupflow::cli {
 namespace {
 
-struct Options {
+struct DoctorOptions {
   Common common;
   bool json = false;
 };
@@ -85,7 +85,7 @@ std::string as_json(const std::vector<io::Row>& rows, const std::vector<std::str
   return io::json_file(object);
 }
 
-void work(const Options& options) {
+void work(const DoctorOptions& options) {
   io::set_up(options.common.settings);  // checked like everywhere
   std::vector<io::Row> rows = build_rows();
   std::vector<std::string> advice;
@@ -117,7 +117,7 @@ void work(const Options& options) {
 Verb add_doctor(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "doctor", "Report versions, processor and graphics; tell what is missing and how to get it");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DoctorOptions>();
   CommonHelp help;
   help.scene = false;
   help.settings = "checked, but the report does not depend on it";

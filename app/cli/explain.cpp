@@ -24,14 +24,14 @@ using Clock = std::chrono::steady_clock;
 constexpr int kMeasuredSteps = 200;
 constexpr std::chrono::seconds kMeasuringTime{5};  // for measuring, whatever the size of the scene
 
-struct Options {
+struct ExplainOptions {
   Common common;
   std::int64_t after = 300;
   bool measure = false;
   bool json = false;
 };
 
-int threads(const Options& options) {
+int threads(const ExplainOptions& options) {
   return options.common.threads > 0 ? options.common.threads : 1;
 }
 
@@ -49,7 +49,7 @@ void take_step(Simulation& simulation, StageListener* listener) {
   if (!status.ok()) throw io::Failure(io::ExitCode::bad_numbers, status.message());
 }
 
-Costs measure(const Options& options, const Params& params) {
+Costs measure(const ExplainOptions& options, const Params& params) {
   Simulation simulation(params);
   simulation.set_threads(threads(options));
   {
@@ -167,7 +167,7 @@ std::string explanation_json(const io::Setup& setup, const Costs& costs) {
 }
 
 /// With the left-out parts forced in.
-void compare(const Options& options, const io::Setup& setup) {
+void compare(const ExplainOptions& options, const io::Setup& setup) {
   report::MeasuredSteps steps;
   steps.after = options.after;
   steps.threads = threads(options);
@@ -184,7 +184,7 @@ void compare(const Options& options, const io::Setup& setup) {
   report::require_same_bits(savings);
 }
 
-void work(const Options& options) {
+void work(const ExplainOptions& options) {
   const io::Setup setup = io::set_up(options.common.settings);
   const Common& common = options.common;
   if (!common.out.empty()) io::refuse_existing(common.out, common.force);
@@ -203,7 +203,7 @@ void work(const Options& options) {
 Verb add_explain(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "explain", "Show which stages a scene needs and why, and the time of each");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExplainOptions>();
   CommonHelp help;
   help.threads = "Threads that share a step (default 1)";
   help.out = "Write the explanation to a file instead of standard output";

@@ -10,7 +10,7 @@
 namespace pupflow::cli {
 namespace {
 
-struct Options {
+struct ExportOptions {
   std::string recording, format, scale;
   exporting::Request request;
   bool quiet = false;
@@ -30,7 +30,7 @@ std::string format_names(const char* separator) {
                     [](const exporting::Format& format) { return std::string(format.name); });
 }
 
-void work(Options options) {
+void work(ExportOptions options) {
   if (!options.scale.empty()) {
     if (options.format != "gcal") io::refuse("--scale: has no effect without --format gcal");
     options.request.scale = read_range(options.scale);
@@ -45,7 +45,7 @@ void work(Options options) {
 Verb add_export(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("export", "Write a recording in a form that other programs read");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExportOptions>();
   exporting::Request& request = options->request;
   app->add_option("RECORDING", options->recording, "A file of 'pupflow run --record'")
       ->option_text(" ")

@@ -15,7 +15,7 @@
 namespace pupflow::cli {
 namespace {
 
-struct Options {
+struct FieldsOptions {
   Common common;
   std::string format;
 };
@@ -145,7 +145,7 @@ std::string json() {
   return io::json_objects(rows);
 }
 
-void work(const Options& options) {
+void work(const FieldsOptions& options) {
   io::set_up(options.common.settings);  // refuses wrong settings, as every verb does
   deliver(options.common, options.format == "json"       ? json()
                           : options.format == "markdown" ? markdown()
@@ -157,7 +157,7 @@ void work(const Options& options) {
 Verb add_fields(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "fields", "List every quantity that comes out: name, symbol, unit, range, kind, equation");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FieldsOptions>();
   CommonHelp help;
   help.scene = false;
   help.settings = "does nothing here";

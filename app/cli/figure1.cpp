@@ -17,7 +17,7 @@ namespace {
 using io::ExitCode;
 using io::Failure;
 
-struct Options {
+struct Figure1Options {
   Common common;
   LookOptions look;
   std::string ta = "0.2,0.5,0.8";
@@ -40,7 +40,7 @@ std::vector<double> panels(const std::string& text, const Params& params) {
 }
 
 /// Takes what was not typed from the figure of --like: its look, its panels.
-void take_figure(const CLI::App& verb, Options& options) {
+void take_figure(const CLI::App& verb, Figure1Options& options) {
   const std::string& like = options.common.settings.like;
   if (like.empty()) return;
   const io::TextEntries figure = io::entries_of_file(like);
@@ -55,7 +55,7 @@ void take_figure(const CLI::App& verb, Options& options) {
   }
 }
 
-void work(const CLI::App& verb, Options options) {
+void work(const CLI::App& verb, Figure1Options options) {
   take_figure(verb, options);
   for (const std::string& set : options.common.settings.sets) {
     if (!set.starts_with("ta=")) continue;
@@ -83,7 +83,7 @@ void work(const CLI::App& verb, Options options) {
 Verb add_figure1(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "figure1", "Draw the paper's Figure 1: litters at three temperatures, seen from above");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Figure1Options>();
   options->common.out = "figure1.png";
   CommonHelp help;
   help.scene = false;

@@ -12,7 +12,7 @@
 namespace pupflow::cli {
 namespace {
 
-struct Options {
+struct LiveOptions {
   Common common;  // its `out` is the pattern for screenshots
   LookOptions look;
   std::string size = size_text(window::LiveJob{}.width, window::LiveJob{}.height);
@@ -23,7 +23,7 @@ struct Options {
   double exit_after = 0;
 };
 
-void work(const CLI::App& verb, const Options& options) {
+void work(const CLI::App& verb, const LiveOptions& options) {
   window::LiveJob job;
   const Start start = start_of(options.common.settings, options.from);
   job.params = start.recipe;
@@ -57,7 +57,7 @@ void work(const CLI::App& verb, const Options& options) {
 Verb add_live(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("live", "Open the window: watch, orbit, pause, drag sliders");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LiveOptions>();
   CommonHelp help;
   help.threads = "Threads that share a step (default: all cores, where the litter is large enough)";
   help.out_names = "-o,--screenshots,--out";

@@ -38,7 +38,7 @@ constexpr std::array kForms{
     form<false>("zsh", "completion for zsh", zsh_completion),
 };
 
-std::string names_of(const CLI::Option& option) {
+std::string joined_names(const CLI::Option& option) {
   std::string names;
   const auto add = [&](const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
   for (const std::string& name : option.get_snames()) add("-" + name);
@@ -55,7 +55,7 @@ Page::Entry entry_of(const CLI::Option& option) {
     entry.many = option.get_expected_max() > 1;
     return entry;
   }
-  entry.names = names_of(option);
+  entry.names = joined_names(option);
   if (option.get_option_text() != " ") entry.argument = option.get_option_text();
   return entry;
 }

@@ -11,7 +11,7 @@
 namespace pupflow::cli {
 namespace {
 
-struct Options {
+struct ParamsOptions {
   Common common;
   std::string format;
 };
@@ -130,7 +130,7 @@ std::string json(const Params& values) {
   return io::json_objects(rows);
 }
 
-void work(const Options& options) {
+void work(const ParamsOptions& options) {
   const Params values = io::set_up(options.common.settings).params;
   const bool with_values = !options.common.settings.empty();
   deliver(options.common, options.format == "json"       ? json(values)
@@ -143,7 +143,7 @@ void work(const Options& options) {
 Verb add_params(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "params", "List every parameter: name, symbol, default, range, unit, source");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ParamsOptions>();
   CommonHelp help;
   help.settings = "adds a column with the values that it comes to";
   help.threads = "No effect here; every verb takes it";

@@ -32,7 +32,7 @@ constexpr int kUsualFps = 25;
 constexpr const char* kUsualSheet = "grid.png";
 constexpr const char* kOfCelsius = "a temperature: colors of one with their legend, or --caption";
 
-struct Options {
+struct RenderOptions {
   Common common;
   LookOptions look;
   std::string from;
@@ -63,7 +63,7 @@ std::string take_frames(std::vector<std::string>& at) {
 
 /// The steps between two frames: those of --every, or for a film so many that a second of it is a
 /// second of the model. 0: one frame, after the last step.
-std::int64_t frame_distance(const Options& options, const Params& params) {
+std::int64_t frame_distance(const RenderOptions& options, const Params& params) {
   if (options.every != 0 || options.movie.empty()) return options.every;
   const double steps = 1 / (options.fps.value_or(kUsualFps) * params.dt);
   return static_cast<std::int64_t>(std::clamp(std::round(steps), 1.0, 1e15));
@@ -77,7 +77,7 @@ bool says_steps(const io::Settings& settings) {
 }
 
 /// The steps after which a frame is wanted, of a run that begins after step `begin`.
-std::vector<std::int64_t> frame_steps(const Options& options, const std::string& at,
+std::vector<std::int64_t> frame_steps(const RenderOptions& options, const std::string& at,
                                       const Params& params, std::int64_t begin) {
   if (!at.empty()) {
     if (options.every != 0) io::refuse("--at STEPS and --every both say which frames; use one");
@@ -113,7 +113,7 @@ void check_pattern(const std::string& pattern, std::size_t frames) {
 }
 
 /// Takes what was not typed from the picture of --like: its look, its camera, its panels, its step.
-void take_picture(const CLI::App& verb, Options& options, std::string& frames) {
+void take_picture(const CLI::App& verb, RenderOptions& options, std::string& frames) {
   const std::string& like = options.common.settings.like;
   if (like.empty()) return;
   const io::TextEntries picture = io::entries_of_file(like);
@@ -144,7 +144,7 @@ void take_picture(const CLI::App& verb, Options& options, std::string& frames) {
   }
 }
 
-view::Camera camera_of(const Options& options) {
+view::Camera camera_of(const RenderOptions& options) {
   view::Camera camera = view::Camera::parse(options.camera);
   if (options.target.empty()) return camera;
   if (options.follow) io::refuse("--target and --follow both say what is in the middle; use one");
@@ -173,7 +173,7 @@ void say_written(const pictures::RenderJob& job) {
 }
 
 /// The file that is written, and for a film its frames a second.
-void take_output(const CLI::App& verb, const Options& options, pictures::RenderJob& job) {
+void take_output(const CLI::App& verb, const RenderOptions& options, pictures::RenderJob& job) {
   job.output = {options.common.out, options.common.force, options.common.quiet};
   if (options.movie.empty()) {
     refuse_idle(verb, "--fps", false, "--movie FILE");
@@ -189,7 +189,7 @@ void take_output(const CLI::App& verb, const Options& options, pictures::RenderJ
 }
 
 /// Draws the panels of --grid.
-void draw_sheet(const CLI::App& verb, const Options& options, const io::Settings& settings,
+void draw_sheet(const CLI::App& verb, const RenderOptions& options, const io::Settings& settings,
                 const std::string& frames) {
   for (const char* option :
        {"--movie", "--fps", "--from", "--every", "--size", "--follow", "--trail"}) {
@@ -234,7 +234,7 @@ void draw_sheet(const CLI::App& verb, const Options& options, const io::Settings
   if (!job.output.quiet) io::print("wrote " + job.output.path + "\n");
 }
 
-void work(const CLI::App& verb, Options options) {
+void work(const CLI::App& verb, RenderOptions options) {
   io::Settings settings = options.common.settings;
   std::string frames = take_frames(settings.at);
   take_picture(verb, options, frames);
@@ -265,7 +265,7 @@ void work(const CLI::App& verb, Options options) {
 Verb add_render(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "render", "Draw a scene as PNG frames or a film; needs no display and no GPU");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderOptions>();
   options->common.out = "frames/%05d.png";
   CommonHelp help;
   help.threads = "Threads that share a step (default: all cores, where the litter is large enough)";

@@ -26,7 +26,7 @@
 namespace pupflow::cli {
 namespace {
 
-struct Options {
+struct RunOptions {
   Common common;  // its `out` is the metrics CSV
   std::string pups, record, checkpoint, from;
   std::int64_t every = 1, record_every = 10;
@@ -45,7 +45,7 @@ struct Files {
   std::optional<io::Recording> recording;
   PartSet recorded;  // what its frames need
 
-  Files(const Options& options, const Simulation& start) {
+  Files(const RunOptions& options, const Simulation& start) {
     if (!options.common.out.empty()) {
       metrics.emplace(options.common.out, options.common.force, start);
     }
@@ -82,7 +82,7 @@ struct Files {
 };
 
 /// What is looked at before anything is opened.
-void check_outputs(const CLI::App& verb, const Options& options) {
+void check_outputs(const CLI::App& verb, const RunOptions& options) {
   for (const char* option : {"--record-every", "--record-from", "--record-fields"}) {
     refuse_idle(verb, option, !options.record.empty(), "--record FILE");
   }
@@ -105,7 +105,7 @@ void check_outputs(const CLI::App& verb, const Options& options) {
 /// One run: steps, and looks at the litter only where somebody asked for what is seen.
 class Run {
  public:
-  Run(const Options& options, Simulation start)
+  Run(const RunOptions& options, Simulation start)
       : options_(options),
         files_(options, start),
         simulation_(std::move(start)),
@@ -208,7 +208,7 @@ class Run {
     if (frame) files_.recording->add(simulation_);
   }
 
-  const Options& options_;
+  const RunOptions& options_;
   Files files_;
   Simulation simulation_;
   std::optional<Observer> observer_;
@@ -224,7 +224,7 @@ class Run {
   double seconds_ = 0;
 };
 
-void work(const CLI::App& verb, const Options& options) {
+void work(const CLI::App& verb, const RunOptions& options) {
   check_outputs(verb, options);
   const Start start = start_of(options.common.settings, options.from);
   Run run(options, litter_of(start));
@@ -253,7 +253,7 @@ void work(const CLI::App& verb, const Options& options) {
 
 Verb add_run(CLI::App& program) {
   CLI::App* app = program.add_subcommand("run", "Step a scene without graphics; write CSV files");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunOptions>();
   CommonHelp help;
   help.threads =
       "Threads that share a step (default: all cores, where the litter is large enough); changes "

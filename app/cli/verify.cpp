@@ -10,14 +10,14 @@
 namespace pupflow::cli {
 namespace {
 
-struct Options {
+struct VerifyOptions {
   std::vector<std::string> files;
   std::int64_t row = 0;
   int threads = 0;
   bool quiet = false;
 };
 
-void work(const Options& options) {
+void work(const VerifyOptions& options) {
   verify::Options how;
   Common common;
   common.threads = options.threads;
@@ -42,7 +42,7 @@ void work(const Options& options) {
 Verb add_verify(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "verify", "Repeat the run behind any output and say whether it is the same");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<VerifyOptions>();
   app->add_option("FILE", options->files,
                   "CSV files of a run, its pups or a sweep's runs, folders of sweeps, recordings, "
                   "checkpoints, "

@@ -2,8 +2,9 @@
 """Makes the n-th call of each kind fail and looks at what the program leaves behind.
 
 faults_test.py PROGRAM SHIM CASE [KIND...]: one row of CASES. Each kind of fault is tried at the
-first, the last and some calls between; with PUPFLOW_FAULTS=all at every call. It happens once, or
-from then on. After a fault the exit code must
+first, the last and some calls between; with PUPFLOW_FAULTS=all at every call, with
+PUPFLOW_FAULTS=places too, but of the allocations that come with the same innermost callers only at the
+first. It happens once, or from then on. After a fault the exit code must
 be a promised one, with one line on standard error; a file under its final name must be whole, and
 nothing else may lie there. Where the code is 0 the files are those of an undisturbed run. A folder
 of a sweep must be completed by the same command.
@@ -15,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 
+MEMORY = "/dev/shm"  # files that take no time to reach a disk
 SMALL = "--set pups=2 --set face_points=2 --steps 20 --threads 1 --quiet".split()
 SWEEP = "--set pups=2 --set face_points=2 --steps 4 --set discard=1 --threads 1 --quiet".split()
 PICTURE = "--set pups=1 --set face_points=2 --threads 1 --quiet".split()
@@ -60,7 +62,7 @@ CASES = {
     "sweep_threads": Case(["sweep", *SWEEP[:-3], "--threads", "3", "--quiet", *GRID, "--out", "s"],
                           folder="s", kinds={"thread": {0}}),
     "merge": Case(["merge", "in1", "in2", "--out", "s", "--quiet"], ["in1", "in2"], folder="s",
-                  most=5),
+                  most=2),
     "figure2": Case(["figure2", *SWEEP, "--seeds", "1", "--out", "s"], folder="s", most=2),
 }
 
@@ -81,7 +83,8 @@ def files_of(folder):
 class Trial:
     def __init__(self, program, shim, case):
         self.program, self.shim, self.case = program, shim, case
-        self.scratch = pathlib.Path(tempfile.mkdtemp(prefix="pupflow-faults-"))
+        self.scratch = pathlib.Path(tempfile.mkdtemp(
+            prefix="pupflow-faults-", dir=MEMORY if os.access(MEMORY, os.W_OK) else None))
         self.store = self.scratch / "store"
         self.store.mkdir()
         for name in case.needs:
@@ -92,7 +95,7 @@ class Trial:
         self.reference = self.run("read:0")[3]
         self.faults = self.problems = self.crashes = self.accounts = 0
 
-    def run(self, fault, again=False):
+    def run(self, fault, again=False, **variables):
         """Code, standard error, whether a call failed, and the files that are there then."""
         folder, report = self.scratch / "work", self.scratch / "report"
         if not again:
@@ -100,7 +103,8 @@ class Trial:
             shutil.copytree(self.store, folder)
         report.unlink(missing_ok=True)
         environment = dict(os.environ, LD_PRELOAD=self.shim, PUPFLOW_FAULT=fault,
-                           PUPFLOW_FAULT_REPORT=str(report), PUPFLOW_FAULT_PROGRAM="pupflow")
+                           PUPFLOW_FAULT_REPORT=str(report), PUPFLOW_FAULT_PROGRAM="pupflow",
+                           **variables)
         done = subprocess.run([self.program, *self.case.words], cwd=folder, env=environment,
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=60)
         self.report = report.read_text() if report.exists() else ""
@@ -112,12 +116,20 @@ class Trial:
 
     def calls(self, kind):
         """Which calls fail, one a run."""
-        count = self.count(kind)
-        if os.environ.get("PUPFLOW_FAULTS") == "all":
+        count, which = self.count(kind), os.environ.get("PUPFLOW_FAULTS")
+        if which == "places" and kind == "malloc":
+            return self.places()
+        if which in ("all", "places"):
             return range(1, count + 1)
         most = self.case.most
         near = [round(count ** (i / most)) for i in range(most + 1)] if count else []
         return sorted({n for x in near for n in (x, count + 1 - x)})
+
+    def places(self):
+        """The first allocation by each few innermost callers, but those of a graphics driver."""
+        places = self.scratch / "places"
+        self.run("malloc:0", PUPFLOW_FAULT_PLACES=str(places))
+        return [int(line) for line in places.read_text().split()]
 
     def complain(self, fault, text):
         self.problems += 1

@@ -1,7 +1,9 @@
 // A library to preload: makes the n-th call of one kind fail, in the process of one program only.
 // PUPFLOW_FAULT: "KIND:N" (only the N-th call) or "KIND:N+" (the N-th and all later ones). N = 0
 // fails none. PUPFLOW_FAULT_REPORT: a file that gets "fired" when a call fails, and "count=N", how
-// many calls there were, when the process ends. PUPFLOW_FAULT_PROGRAM: the program's file name.
+// many calls there were, when the process ends. PUPFLOW_FAULT_PLACES: a file that gets the number of
+// each allocation whose innermost callers are new, but a graphics driver's. PUPFLOW_FAULT_PROGRAM: the
+// program's file name.
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <fcntl.h>
@@ -12,6 +14,7 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdarg>
@@ -21,6 +24,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <iterator>
 
 extern "C" {
 void* __libc_malloc(std::size_t);
@@ -63,10 +67,11 @@ long wanted = 0;
 bool all_later = false;
 std::atomic<long> calls{0};
 const char* report_path = nullptr;
+const char* places_path = nullptr;
 
-void report(const char* text) {
-  if (!report_path) return;
-  const long file = syscall(SYS_openat, AT_FDCWD, report_path, O_WRONLY | O_CREAT | O_APPEND, 0666);
+void append(const char* path, const char* text) {
+  if (!path) return;
+  const long file = syscall(SYS_openat, AT_FDCWD, path, O_WRONLY | O_CREAT | O_APPEND, 0666);
   if (file < 0) return;
   syscall(SYS_write, file, text, std::strlen(text));
   syscall(SYS_close, file);
@@ -87,6 +92,7 @@ void begin() {
   const char* colon = fault ? std::strchr(fault, ':') : nullptr;
   if (!colon || !is_program()) return;
   report_path = std::getenv("PUPFLOW_FAULT_REPORT");
+  places_path = std::getenv("PUPFLOW_FAULT_PLACES");
   void* frame = nullptr;
   backtrace(&frame, 1);  // the first one takes memory
   char* end = nullptr;
@@ -113,32 +119,60 @@ int counted_main(int count, char** words, char** environment) {
   char text[64];
   std::snprintf(text, sizeof text, "count=%ld\n", calls.load());
   chosen = none;
-  report(text);
+  append(report_path, text);
 }
 
-/// Whether a graphics driver asks, now: what it does without memory is its own affair.
-bool in_driver() {
+template <std::size_t kCount>
+bool lies_in(const void* address, const char* const (&libraries)[kCount]) {
+  Dl_info info = {};
+  if (dladdr(address, &info) == 0 || !info.dli_fname) return false;
+  return std::any_of(libraries, libraries + kCount,
+                     [&](const char* name) { return std::strstr(info.dli_fname, name); });
+}
+
+/// Whether a graphics driver asks, now: what it does without memory is its own affair. `caller` is
+/// whoever called malloc: libgcc does so while it notes a driver's compiled code, and waits for
+/// itself when it is then asked for its callers.
+bool in_driver(const void* caller) {
+  constexpr const char* kUnwinder[] = {"libgcc_s"};
   constexpr const char* kDrivers[] = {"_dri.so", "gallium", "LLVM",  "libEGL",
                                       "libGL",   "glapi",   "libdrm"};
+  if (lies_in(caller, kUnwinder) || lies_in(caller, kDrivers)) return true;
   void* frames[64];
   const int count = backtrace(frames, 64);
-  for (int i = 0; i < count; ++i) {
-    Dl_info info = {};
-    if (dladdr(frames[i], &info) == 0 || !info.dli_fname) continue;
-    for (const char* name : kDrivers) {
-      if (std::strstr(info.dli_fname, name)) return true;
-    }
-  }
-  return false;
+  return std::any_of(frames, frames + count,
+                     [&](const void* frame) { return lies_in(frame, kDrivers); });
 }
 
-/// Counts a call; whether it is to fail, with errno set.
-bool fails(Kind kind) {
+/// Whether no allocation before had the same innermost callers.
+bool is_new_place() {
+  static std::atomic<std::uint64_t> seen[1 << 20];
+  void* frames[7];  // three of them are this function, malloc and operator new
+  const int count = backtrace(frames, std::size(frames));
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+  for (int i = 0; i < count; ++i) {
+    hash = (hash ^ reinterpret_cast<std::uintptr_t>(frames[i])) * 1099511628211u;
+  }
+  hash |= 1;
+  for (std::size_t i = hash >> 44;; i = (i + 1) % std::size(seen)) {
+    std::uint64_t there = 0;
+    if (seen[i].compare_exchange_strong(there, hash)) return true;
+    if (there == hash) return false;
+  }
+}
+
+/// Counts a call; whether it is to fail, with errno set. `caller`: of an allocation.
+bool fails(Kind kind, const void* caller = nullptr) {
   if (kind != chosen) return false;
   const long call = ++calls;
+  if (kind == mallocs && places_path && !in_driver(caller) && is_new_place()) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%ld\n", call);
+    append(places_path, text);
+  }
   if (wanted == 0 || (all_later ? call < wanted : call != wanted)) return false;
-  if (kind == mallocs && in_driver()) return false;
-  if (call == wanted) report("fired\n");
+  if (kind == mallocs && in_driver(caller)) return false;
+  if (call == wanted) append(report_path, "fired\n");
   errno = chosen_error;
   return true;
 }
@@ -259,22 +293,22 @@ int gettimeofday(timeval* place, void* zone) noexcept {
 }
 
 void* malloc(std::size_t size) noexcept {
-  return fails(mallocs) ? nullptr : __libc_malloc(size);
+  return fails(mallocs, __builtin_return_address(0)) ? nullptr : __libc_malloc(size);
 }
 void* calloc(std::size_t count, std::size_t size) noexcept {
-  return fails(mallocs) ? nullptr : __libc_calloc(count, size);
+  return fails(mallocs, __builtin_return_address(0)) ? nullptr : __libc_calloc(count, size);
 }
 void* realloc(void* old, std::size_t size) noexcept {
-  return fails(mallocs) ? nullptr : __libc_realloc(old, size);
+  return fails(mallocs, __builtin_return_address(0)) ? nullptr : __libc_realloc(old, size);
 }
 void* memalign(std::size_t alignment, std::size_t size) noexcept {
-  return fails(mallocs) ? nullptr : __libc_memalign(alignment, size);
+  return fails(mallocs, __builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  return fails(mallocs) ? nullptr : __libc_memalign(alignment, size);
+  return fails(mallocs, __builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
 }
 int posix_memalign(void** place, std::size_t alignment, std::size_t size) noexcept {
-  if (fails(mallocs)) return ENOMEM;
+  if (fails(mallocs, __builtin_return_address(0))) return ENOMEM;
   *place = __libc_memalign(alignment, size);
   return *place ? 0 : ENOMEM;
 }

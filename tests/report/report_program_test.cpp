@@ -102,17 +102,21 @@ TEST(ReportProgram, DoesWithoutGnuplotAndSaysSo) {
   const Scratch scratch;
   std::filesystem::create_directory(scratch.path("bin"));
   std::filesystem::create_symlink("/bin/sh", scratch.path("bin/sh"));
-  const Outcome outcome = pupflow::test::run_program(
-      "/bin/sh",
-      {"-c", "PATH='" + scratch.path("bin") + "' exec \"$0\" report error --quick --quiet --out r",
-       PUPFLOW_PROGRAM},
-      scratch.folder().string());
+  const Outcome outcome =
+      pupflow::test::run_program("/bin/sh",
+                                 {"-c",
+                                  "PATH='" + scratch.path("bin") +
+                                      "' exec \"$0\" report error cold --set pups=4 --set "
+                                      "face_points=4 --steps 80 --set discard=30 "
+                                      "--quick --quiet --out r",
+                                  PUPFLOW_PROGRAM},
+                                 scratch.folder().string());
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   const std::string page = contents(scratch.path("r/report.md"));
   EXPECT_THAT(page, AllOf(HasSubstr("gnuplot is not installed"), HasSubstr("gnuplot-nox"),
-                          HasSubstr("| consistent |")));
+                          HasSubstr(", consistent |")));
   EXPECT_TRUE(pictures_of(page).empty());
-  EXPECT_TRUE(std::filesystem::exists(scratch.path("r/fall.csv")));
+  EXPECT_TRUE(std::filesystem::exists(scratch.path("r/paired.csv")));
 }
 
 }  // namespace

@@ -278,7 +278,7 @@ TEST_F(Live, ATallColumnOffersACarpet) {
 }
 
 TEST_F(Live, ABadStateShowsItsPup) {
-  open({"--set", "heat=euler", "--set", "k1=201", "--set", "pups=2"});
+  open({"--set", "heat=euler", "--set", "k1=210", "--set", "pups=2"});
   const std::string message = await("bad ");
   EXPECT_THAT(message, HasSubstr("pup "));
   click("bad_show");

@@ -164,7 +164,7 @@ TEST_F(Live, ValuesThatAreNotAllowedAreNotTaken) {
 }
 
 TEST_F(Live, ABadStateSaysWhereAndWaitsForARestart) {
-  open({"--set", "heat=euler", "--set", "k1=201", "--set", "pups=2"});
+  open({"--set", "heat=euler", "--set", "k1=210", "--set", "pups=2"});
   const std::string message = await("bad ");
   EXPECT_THAT(message, HasSubstr("diverged at step"));
   EXPECT_THAT(message, HasSubstr("pup"));

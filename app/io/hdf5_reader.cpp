@@ -147,6 +147,10 @@ hsize_t frames_with_chunks(hid_t set) {
   return std::min(shape[0], of_frame == 0 ? 0 : there / of_frame * chunk[0]);
 }
 
+/// A kill in the middle of the first flush leaves a file that cannot be opened, or read no further.
+constexpr const char* kEndedEarly =
+    "is unfinished: its run ended before its first frames were written, or it is damaged";
+
 /// Opens the file by name.
 hid_t open_file(const std::string& path, bool unfinished) {
   if (!unfinished) return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -184,8 +188,7 @@ void Hdf5Reader::open() {
                                 : H5LTopen_file_image(image_.data(), image_.size(), kOurs),
                  H5Fclose);
   if (file_ < 0) {
-    fail(unfinished_ ? "is unfinished: its run ended before anything was written"
-                     : "cannot read: is no HDF5 file, or damaged");
+    fail(unfinished_ ? kEndedEarly : "cannot read: is no HDF5 file, or damaged");
   }
   if (const std::string foreign = foreign_part(file_); !foreign.empty()) {
     fail("is damaged, or not of this program: " + foreign);
@@ -219,7 +222,7 @@ TextEntries Hdf5Reader::text() const {
   TextEntries entries;
   hsize_t first = 0;
   if (H5Aiterate2(file_, H5_INDEX_NAME, H5_ITER_INC, &first, add_attribute, &entries) < 0) {
-    fail("cannot read its attributes");
+    fail(unfinished_ ? kEndedEarly : "cannot read its attributes");
   }
   return entries;
 }

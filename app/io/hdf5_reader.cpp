@@ -147,10 +147,6 @@ hsize_t frames_with_chunks(hid_t set) {
   return std::min(shape[0], of_frame == 0 ? 0 : there / of_frame * chunk[0]);
 }
 
-/// A kill in the middle of the first flush leaves a file that cannot be opened, or read no further.
-constexpr const char* kEndedEarly =
-    "is unfinished: its run ended before its first frames were written, or it is damaged";
-
 /// Opens the file by name.
 hid_t open_file(const std::string& path, bool unfinished) {
   if (!unfinished) return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -187,9 +183,7 @@ void Hdf5Reader::open() {
   file_ = Handle(image_.empty() ? open_file(path_, unfinished_)
                                 : H5LTopen_file_image(image_.data(), image_.size(), kOurs),
                  H5Fclose);
-  if (file_ < 0) {
-    fail(unfinished_ ? kEndedEarly : "cannot read: is no HDF5 file, or damaged");
-  }
+  if (file_ < 0) fail("cannot read: is no HDF5 file, or damaged");
   if (const std::string foreign = foreign_part(file_); !foreign.empty()) {
     fail("is damaged, or not of this program: " + foreign);
   }
@@ -215,14 +209,19 @@ void Hdf5Reader::look_around() {
 }
 
 void Hdf5Reader::fail(const std::string& what) const {
-  throw Failure(ExitCode::bad_file, path_ + ": " + what);
+  // A kill in the middle of the first flush leaves a file that cannot be opened, or read no further.
+  const char* const early =
+      unfinished_
+          ? "; it is unfinished: its run may have ended before its first frames were written"
+          : "";
+  throw Failure(ExitCode::bad_file, path_ + ": " + what + early);
 }
 
 TextEntries Hdf5Reader::text() const {
   TextEntries entries;
   hsize_t first = 0;
   if (H5Aiterate2(file_, H5_INDEX_NAME, H5_ITER_INC, &first, add_attribute, &entries) < 0) {
-    fail(unfinished_ ? kEndedEarly : "cannot read its attributes");
+    fail("cannot read its attributes");
   }
   return entries;
 }

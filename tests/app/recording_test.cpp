@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <set>
 #include <thread>
 
 #include "app/io/hdf5_reader.h"
@@ -20,9 +21,11 @@ namespace pupflow::io {
 namespace {
 
 using ::testing::Contains;
+using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::Pair;
 
 Params small() {
@@ -285,6 +288,27 @@ TEST(Recording, ADamagedUnfinishedOneIsRefusedAtOnce) {
     bytes[i] = good;
   }
   EXPECT_GT(refused, 5);
+}
+
+TEST(Recording, OneCutInItsFirstFlushSaysThatItsRunEndedThen) {
+  const test::Scratch scratch;
+  const Recorded was(scratch.path("r.h5"), small(), "tb", 3);
+  std::string bytes = test::contents(scratch.path("r.h5"));
+  const std::string block = block_text({"recording", {}, {}});
+  bytes.replace(0, block.size(), block);
+  std::set<std::string> said;
+  for (std::size_t kept = kUserBlock + 48; kept < kUserBlock + 1600; kept += 100) {
+    std::string cut = bytes;
+    std::fill(cut.begin() + static_cast<std::ptrdiff_t>(kept), cut.end(), '\0');
+    try {
+      const RecordedRun run(scratch.file("u.h5", cut));
+    } catch (const Failure& failure) {
+      said.insert(failure.what());
+    }
+  }
+  EXPECT_THAT(said, Not(IsEmpty()));
+  EXPECT_THAT(
+      said, Each(HasSubstr("; it is unfinished: its run may have ended before its first frames")));
 }
 
 TEST(Recording, CannotGoToAPipe) {

@@ -61,7 +61,7 @@ void for_each_index(std::int64_t count, int threads,
     }
   };
   std::vector<std::jthread> helpers;
-  const auto wanted = std::min<std::int64_t>(std::max(threads, 1), count);
+  const auto wanted = std::clamp<std::int64_t>(count, 1, std::max(threads, 1));
   helpers.reserve(static_cast<std::size_t>(wanted));
   try {
     for (std::int64_t i = 1; i < wanted; ++i) helpers.emplace_back(work);

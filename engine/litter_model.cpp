@@ -31,7 +31,7 @@ class ModelOf final : public LitterModel {
       if (!found.ok()) return found;
     }
     placed_.clear();
-    if (state_.step >= next_change) take_changes();
+    if (state_.step >= next_change || imposed_anew) take_changes();
     // A pup that somebody pushes may go where no pup can go by itself.
     if (!watched_ && !kinds.force) watch_.begin(params, state_);
     watched_ = !kinds.force;

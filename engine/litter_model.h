@@ -59,7 +59,7 @@ class LitterModel {
   }
 
   /// What the schedule and the caller want of the next step. To be called when `next_change` is
-  /// reached.
+  /// reached, or after `imposed` has changed.
   void take_changes() {
     Params next = params;
     apply_schedule(recipe, step(), next);
@@ -70,6 +70,7 @@ class LitterModel {
       for (std::size_t pup = 0; pup < imposed.size(); ++pup) actions()[pup] += imposed[pup];
     }
     next_change = recipe.schedule.next_change(step());
+    imposed_anew = false;
     replan();
   }
 
@@ -81,6 +82,7 @@ class LitterModel {
   ActionKinds kinds;             // of the actions in the next step
   std::int64_t next_change = 0;  // the number of steps done at which take_changes is due
   std::vector<Action> imposed;   // by set_action, one per pup; empty: none
+  bool imposed_anew = false;     // since the last step
   std::optional<std::int64_t> edited;
   Plan plan, forced;
   PartSet observed = kContactRecords;

@@ -92,7 +92,7 @@ bool parse_value(const Parameter& parameter, std::string_view text, Params& para
   } else {
     const char* begin = text.data();
     const char* end = begin + text.size();
-    if (begin != end && *begin == '+') ++begin;
+    if (text.starts_with('+') && !text.starts_with("+-")) ++begin;
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error != std::errc{} || stop != end) {
       problem = out_of_range(parameter, "'" + std::string(text) + "'");
@@ -190,6 +190,10 @@ void check_change(const Params& params, const Change& change, std::vector<Proble
                                "turn");
   }
   for (const Change::Setting& setting : change.settings) {
+    if (setting.parameter >= parameters().size()) {
+      wrong("step", "there is no parameter number " + std::to_string(setting.parameter));
+      continue;
+    }
     const Parameter& parameter = parameters()[setting.parameter];
     Problem problem;
     if (parameter.effect != Parameter::Effect::next_step) {
@@ -217,14 +221,17 @@ void check_change(const Params& params, const Change& change, std::vector<Proble
 
 /// Everything wrong with `params.schedule`: a parameter that defines the litter, values out of
 /// range, a pup that is not there, and what is not allowed together at the beginning or end of a
-/// change. `params` is sound without it.
-std::vector<Problem> check_schedule(const Params& params) {
+/// change. `params` is sound without it, and so is what was done before `from`.
+std::vector<Problem> check_schedule(const Params& params, std::int64_t from) {
   std::vector<Problem> problems;
   std::vector<std::int64_t> ends;  // between them all values lie between those there
   for (const Change& change : params.schedule.changes()) {
+    const std::int64_t end = change.until.value_or(change.step);
+    if (from > 0 && end < from) continue;
     check_change(params, change, problems);
     if (change.settings.empty()) continue;
-    ends.insert(ends.end(), {change.step, change.until.value_or(change.step)});
+    if (from <= 0 || change.step >= from) ends.push_back(change.step);
+    ends.push_back(end);
   }
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
@@ -250,7 +257,7 @@ void apply_schedule(const Params& start, std::int64_t steps, Params& params) {
   courses.write(steps, params);
 }
 
-std::vector<Problem> check(const Params& params) {
+std::vector<Problem> check(const Params& params, std::int64_t from) {
   std::vector<Problem> problems;
   for (const Parameter& parameter : parameters()) {
     Problem problem;
@@ -281,7 +288,7 @@ std::vector<Problem> check(const Params& params) {
                                   "the pups"});
   }
   if (params.refinement == Refinement::consistent) check_refinement(params, problems);
-  if (problems.empty()) problems = check_schedule(params);
+  if (problems.empty()) problems = check_schedule(params, from);
   return problems;
 }
 

@@ -38,7 +38,11 @@ void fill_height(const LitterView& litter, Values values) {
 }
 
 void fill_speed(const LitterView& litter, Values values) {
-  for (int pup = 0; pup < litter.pups; ++pup) values[pup] = litter.velocities.mean(pup).norm();
+  for (int pup = 0; pup < litter.pups; ++pup) {
+    const Eigen::Vector3d velocity = litter.velocities.mean(pup);
+    const double speed = velocity.norm();  // squares may overflow
+    values[pup] = std::isfinite(speed) ? speed : velocity.stableNorm();
+  }
 }
 
 void fill_deformation(const LitterView& litter, Values values) {

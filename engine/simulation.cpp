@@ -14,8 +14,8 @@ namespace pupflow {
 
 namespace {
 
-void require_sound(const Params& params) {
-  std::vector<Problem> problems = check(params);
+void require_sound(const Params& params, std::int64_t from = 0) {
+  std::vector<Problem> problems = check(params, from);
   if (!problems.empty()) throw InvalidParams(std::move(problems));
 }
 
@@ -43,6 +43,12 @@ void require_finite(double value, const char* what) {
   throw std::invalid_argument(std::string(what) + " is not a finite number");
 }
 
+void require_finite(const Action& action) {
+  for (const double force : action.force) require_finite(force, "a force on a pup");
+  require_finite(action.heat, "the heat of a pup");
+  require_finite(action.turn.value_or(0), "the turn of a pup");
+}
+
 void require_fitting(const Snapshot& snapshot, int pups, int points) {
   const auto n = static_cast<std::size_t>(pups), all = n * static_cast<std::size_t>(points);
   require_size(snapshot.positions.size(), 3 * all, "the snapshot's positions");
@@ -59,6 +65,10 @@ void require_fitting(const Snapshot& snapshot, int pups, int points) {
     require_finite(tb, "a felt body temperature of the snapshot");
   for (const double heading : snapshot.heading)
     require_finite(heading, "a heading of the snapshot");
+  for (const double exposed : snapshot.exposed)
+    require_finite(exposed, "an exposed share of the snapshot");
+  for (const Action& action : snapshot.actions) require_finite(action);
+  require_finite(snapshot.clock.time, "the snapshot's time");
   const auto is_pup = [pups](int pup) { return pup >= 0 && pup < pups; };
   for (const int pup : snapshot.touched) {
     if (pup != -1 && !is_pup(pup))
@@ -68,7 +78,10 @@ void require_fitting(const Snapshot& snapshot, int pups, int points) {
     if (is_pup(pair.first) && is_pup(pair.second) && pair.first < pair.second) continue;
     throw std::invalid_argument("the snapshot's touching pairs name no two pups");
   }
-  if (snapshot.step < 0) throw std::invalid_argument("the snapshot's step is negative");
+  if (snapshot.step < 0 || static_cast<double>(snapshot.step) > kExactInteger)
+    throw std::invalid_argument("the snapshot's step is not among 0 … 2^53 - 1");
+  if (snapshot.clock.step < 0 || snapshot.clock.step > snapshot.step)
+    throw std::invalid_argument("the snapshot's clock was not set in one of its steps");
 }
 
 void require_pup(int pup, int pups) {
@@ -120,7 +133,7 @@ void Simulation::set_params(const Params& params) {
   } else {
     Params recipe = model_->recipe;
     add_to_recipe(model_->params, next, steps_done(), recipe);
-    require_sound(recipe);
+    require_sound(recipe, steps_done());
     model_->recipe = std::move(recipe);
     model_->next_change = steps_done();
   }
@@ -140,21 +153,19 @@ void Simulation::set_schedule(const Schedule& schedule) {
   for (const Change& change : schedule.changes()) {
     if (change.step >= steps_done()) recipe.schedule.add(change);
   }
-  require_sound(recipe);
+  require_sound(recipe, steps_done());
   model_->recipe = std::move(recipe);
   model_->next_change = steps_done();
 }
 
 void Simulation::set_action(int pup, const Action& action) {
   require_pup(pup, pups());
-  for (const double force : action.force) require_finite(force, "a force on a pup");
-  require_finite(action.heat, "the heat of a pup");
-  require_finite(action.turn.value_or(0), "the turn of a pup");
+  require_finite(action);
   std::vector<Action>& imposed = model_->imposed;
   if (imposed.empty() && !action.acts()) return;
   imposed.resize(static_cast<std::size_t>(pups()));
   imposed[pup] = action;
-  model_->next_change = steps_done();
+  model_->imposed_anew = true;
   model_->edit();
 }
 

@@ -1,5 +1,7 @@
 #include "engine/team.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cassert>
@@ -16,7 +18,7 @@ namespace pupflow {
 /// asked for, the first worker does the work of those that are missing.
 class Team::Threads {
  public:
-  explicit Threads(int count) {
+  explicit Threads(int count) : wanted_(count) {
     threads_.reserve(static_cast<std::size_t>(count));
     try {
       for (int i = 1; i <= count; ++i) {
@@ -28,6 +30,11 @@ class Team::Threads {
   }
 
   ~Threads() {
+    if (forked()) {
+      // They run in the other process: nobody here can join them, or let go of them unjoined.
+      static_cast<void>(new std::vector<std::thread>(std::move(threads_)));
+      return;
+    }
     stop_ = true;
     begin_round();
     for (std::thread& thread : threads_) thread.join();
@@ -35,6 +42,10 @@ class Team::Threads {
 
   Threads(const Threads&) = delete;
   Threads& operator=(const Threads&) = delete;
+
+  /// Whether they can do a job of `workers`: they are as many, and not those of another process,
+  /// of which this one is a fork.
+  bool suffice(int workers) const { return workers <= wanted_ + 1 && !forked(); }
 
   void run(int workers, void (*call)(void*, int), void* job) {
     call_ = call;
@@ -49,6 +60,8 @@ class Team::Threads {
   }
 
  private:
+  bool forked() const { return ::getpid() != process_; }
+
   void begin_round() {
     round_.fetch_add(1);
     round_.notify_all();
@@ -72,6 +85,8 @@ class Team::Threads {
     }
   }
 
+  const int wanted_;  // the system may give fewer
+  const pid_t process_ = ::getpid();
   std::atomic<std::uint32_t> round_{0};
   std::atomic<int> busy_{0};  // workers that have not finished this round
   std::atomic<bool> failed_{false};
@@ -95,7 +110,7 @@ Team::~Team() = default;
 
 void Team::run_together(int workers, void (*call)(void*, int), void* job) {
   assert(workers > 1 && workers <= size_);
-  if (!threads_) threads_ = std::make_unique<Threads>(size_ - 1);
+  if (!threads_ || !threads_->suffice(workers)) threads_ = std::make_unique<Threads>(workers - 1);
   threads_->run(workers, call, job);
 }
 

@@ -8,8 +8,8 @@
 namespace pupflow {
 
 /// A group of workers that run jobs together, one job after another. The calling thread is worker
-/// 0. The other threads start with the first job that needs them and wait between jobs. A copy is a
-/// team of its own, of the same size.
+/// 0. The other threads start with the first job that needs them and wait between jobs; after a
+/// fork(), the new process starts its own. A copy is a team of its own, of the same size.
 class Team {
  public:
   /// A team of `threads` workers, at least one.

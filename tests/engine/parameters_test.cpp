@@ -88,6 +88,7 @@ TEST(Params, BadTextIsExplainedAndChangesNothing) {
   explain("dt", "nan");
   explain("dt", "inf");
   explain("ta", "0.4x");
+  explain("ta", "+-1");
   explain("ta", "");
   explain("seed", "-1");
   explain("seed", "9007199254740993000");

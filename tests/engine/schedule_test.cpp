@@ -246,6 +246,21 @@ TEST(Schedule, NoWarningWhileSomebodyPushes) {
   EXPECT_TRUE(simulation.warnings().empty());
 }
 
+TEST(Schedule, OnlyWhatIsToComeIsCheckedFromAStepOn) {
+  // Sound before step 20, not together at step 30.
+  const Params p =
+      small({set_at(10, "refinement", 1), set_at(20, "refinement", 0), set_at(25, "dt", 0.1, 30)});
+  EXPECT_TRUE(check(p).empty());
+  const Params wrong = small({set_at(10, "refinement", 1), set_at(20, "dt", 0.1, 30)});
+  for (const std::int64_t from : {0, 10, 11, 21, 30}) EXPECT_EQ(check(wrong, from).size(), 1u);
+  EXPECT_TRUE(check(wrong, 31).empty());
+  Simulation litter(small({set_at(40, "dt", 0.1)}));
+  litter.run(5);
+  Params next = litter.params();
+  next.refinement = Refinement::consistent;  // goes with dt = 0.01, not with what comes at step 40
+  EXPECT_THROW(litter.set_params(next), InvalidParams);
+}
+
 TEST(Schedule, EverythingWrongIsSaidAtOnce) {
   const auto messages = [](std::initializer_list<Change> changes) {
     std::string text;
@@ -268,6 +283,12 @@ TEST(Schedule, EverythingWrongIsSaidAtOnce) {
   EXPECT_THAT(messages({act_at(3, 0, {.force = {NAN, 0, 0}, .heat = INFINITY, .turn = NAN})}),
               testing::AllOf(HasSubstr("force must be"), HasSubstr("heat must be"),
                              HasSubstr("turn must be")));
+  for (const std::size_t beyond : {parameters().size(), std::size_t{9999}, SIZE_MAX}) {
+    Params p = small({});
+    p.schedule.set(5, beyond, 1);
+    ASSERT_EQ(check(p).size(), 1u);
+    EXPECT_EQ(check(p)[0].message, "at step 5: there is no parameter number " + std::to_string(beyond));
+  }
   EXPECT_EQ(messages({set_at(0, "ta", 0.1), set_at(5, "ta", 0.9, 50)}), "");
   // Allowed each by itself, not together.
   EXPECT_THAT(messages({set_at(10, "refinement", 1), set_at(20, "dt", 0.1, 30)}),

@@ -103,6 +103,11 @@ TEST(Simulation, ASnapshotThatDoesNotFitIsRefused) {
   refuse([](Snapshot& s) { s.touched[5] = 12; });
   refuse([](Snapshot& s) { s.touching.push_back({3, 2}); });
   refuse([](Snapshot& s) { s.params.pups = 11; });
+  refuse([](Snapshot& s) { s.exposed[0] = NAN; });
+  refuse([](Snapshot& s) { s.actions.resize(12), s.actions[3].turn = NAN; });
+  refuse([](Snapshot& s) { s.step = INT64_MAX; });
+  refuse([](Snapshot& s) { s.clock.step = 1; });
+  refuse([](Snapshot& s) { s.clock.time = NAN; });
   refuse([](Snapshot& s) { s.params.rigidity = 2; });
 }
 

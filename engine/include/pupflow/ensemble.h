@@ -39,7 +39,7 @@ struct RunResult {
 std::optional<RunResult> run_to_end(const Params& params, const std::function<bool()>& stop,
                                     std::int64_t series_every = 0);
 
-/// Calls `body` with each of 0 ... count - 1 once, on `threads` threads (at least 1), in no fixed
+/// Calls `body` with each of 0 ... count - 1 once (never where count is 0 or less), on `threads` threads (at least 1), in no fixed
 /// order. After an exception in `body` no further index is begun; the first exception is thrown
 /// here when all threads have ended.
 void for_each_index(std::int64_t count, int threads, const std::function<void(std::int64_t)>& body);

@@ -164,8 +164,9 @@ bool parse_value(const Parameter& parameter, std::string_view text, Params& para
 bool check_value(const Parameter& parameter, double value, Problem& problem);
 
 /// Everything wrong with `params`: values out of range first, then combinations that are not
-/// allowed, then, where there is none of these, its schedule. Empty when the set is sound.
-std::vector<Problem> check(const Params& params);
+/// allowed, then, where there is none of these, its schedule. Empty when the set is sound. What the
+/// schedule does before `from` steps are done counts as sound.
+std::vector<Problem> check(const Params& params, std::int64_t from = 0);
 
 /// Whether `a` and `b` differ in a parameter of Effect::restart, so that going from one to the
 /// other needs a new litter.

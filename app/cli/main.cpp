@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -143,18 +144,22 @@ void take_end_by_library(int status, void*) {
 }
 
 std::terminate_handler terminate_otherwise = nullptr;
+std::atomic<bool> memory_ended = false;
 
-/// Ends the program without memory where std::bad_alloc leaves a function that is noexcept. CLI11 has
-/// such functions that copy strings: get_option_no_throw, _find_subcommand.
+void take_end_of_memory() {
+  memory_ended = true;
+  throw std::bad_alloc();
+}
+
+/// Ends the program without memory where std::bad_alloc leaves a function that is noexcept: CLI11 has
+/// such functions that copy strings (get_option_no_throw, _find_subcommand), libstdc++ one that opens
+/// a folder. What is thrown there is not always there to be asked for.
 [[noreturn]] void take_terminate() {
-  try {
-    if (std::current_exception()) throw;
-  } catch (const std::bad_alloc&) {
+  if (memory_ended) {
     std::fprintf(stderr, "pupflow: %s\n", kNoMemory);
     _exit(static_cast<int>(ExitCode::bad_input));
-  } catch (...) {
-    terminate_otherwise();
   }
+  terminate_otherwise();
   std::abort();
 }
 
@@ -172,11 +177,14 @@ void open_standard_streams() {
 
 int guarded_main(int argc, char** argv) {
   open_standard_streams();
+  // This program locks its files itself, in another way, which HDF5's own locks would not go with.
+  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
   // A closed pipe shows as a failed write, which is reported; dying of the signal would leave
   // temporary files.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that reaches its size limit
   on_exit(take_end_by_library, nullptr);
+  std::set_new_handler(take_end_of_memory);
   terminate_otherwise = std::set_terminate(take_terminate);
   io::watch_for_interrupt();
   const bool silent = is_silent_rank(argc, argv);

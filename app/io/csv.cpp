@@ -12,6 +12,11 @@ std::string joined_cells(const std::vector<std::string>& cells) {
   return joined(cells, ",");
 }
 
+/// A comment line without "# ".
+std::string comment(const std::string& line) {
+  return line.substr(line.starts_with("# ") ? 2 : 1);
+}
+
 }  // namespace
 
 std::vector<std::string> metrics_columns() {
@@ -114,9 +119,7 @@ void PupsCsv::add(const LitterView& litter) {
 CsvReader::CsvReader(const std::string& path) : path_(path), file_(path, std::ios::binary) {
   read_beginning(path, 1);  // says what is wrong with a file that cannot be read at all
   std::string line;
-  while (read_line(line) && line.starts_with('#')) {
-    comments_.push_back(line.substr(line.starts_with("# ") ? 2 : 1));
-  }
+  while (read_line(line) && line.starts_with('#')) comments_.push_back(comment(line));
   for (const std::string_view column : split(line, ',')) columns_.emplace_back(column);
 }
 
@@ -136,7 +139,10 @@ bool CsvReader::read_line(std::string& line) {
 std::optional<std::vector<std::string>> CsvReader::next() {
   std::string line;
   while (read_line(line)) {
-    if (line.starts_with('#')) continue;
+    if (line.starts_with('#')) {
+      remarks_.push_back(comment(line));
+      continue;
+    }
     std::vector<std::string> cells;
     for (const std::string_view cell : split(line, ',')) cells.emplace_back(cell);
     if (cells.size() != columns_.size()) {

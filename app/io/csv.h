@@ -84,6 +84,9 @@ class CsvReader {
   const std::vector<std::string>& comments() const { return comments_; }
   const std::vector<std::string>& columns() const { return columns_; }
 
+  /// The comment lines among and behind the rows that were read, without "# ".
+  const std::vector<std::string>& remarks() const { return remarks_; }
+
   /// The next row that is no comment; nothing at the end. Throws Failure(bad_input) when it has not
   /// as many cells as there are columns.
   std::optional<std::vector<std::string>> next();
@@ -95,7 +98,7 @@ class CsvReader {
   bool read_line(std::string& line);
   std::string path_;
   std::ifstream file_;
-  std::vector<std::string> comments_, columns_;
+  std::vector<std::string> comments_, columns_, remarks_;
   std::int64_t line_ = 0;
 };
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <new>
-#include <sstream>
 
 #include "app/io/atomic_file.h"
 #include "app/io/celsius.h"
@@ -16,6 +15,7 @@
 #include "app/io/machine.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
+#include "app/io/text_stream.h"
 
 extern char** environ;
 
@@ -81,6 +81,18 @@ std::string complaint(std::string words) {
   return words.empty() ? "it left no message" : words.substr(words.rfind('\n') + 1);
 }
 
+Failure cut_picture(const std::string& path) {
+  return Failure(ExitCode::bad_file, path + ": gnuplot wrote no whole picture; is the disk full?");
+}
+
+Image read_drawn(const std::string& made, const std::string& target) {
+  try {
+    return read_png(made);
+  } catch (const Failure&) {
+    throw cut_picture(target);
+  }
+}
+
 /// Writes both pictures to their final names, with the text that tells how to make them again.
 void publish(const Temporary& temporary, const Drawing& drawing) {
   const std::string target = drawing.folder + "/" + drawing.name, made = temporary.path + "/figure";
@@ -92,12 +104,11 @@ void publish(const Temporary& temporary, const Drawing& drawing) {
                       "name.'" +
                       ending + "'");
   }
-  write_png(target + ".png", read_png(made + ".png"), drawing.text, true);
+  write_png(target + ".png", read_drawn(made + ".png", target + ".png"), drawing.text, true);
   std::string svg = read_file(made + ".svg", std::size_t{1} << 30);
   const std::size_t root = svg.find("<svg");
   if (root == std::string::npos || svg.find("</svg>") == std::string::npos) {
-    throw Failure(ExitCode::bad_file,
-                  target + ".svg: gnuplot wrote no whole picture; is the disk full?");
+    throw cut_picture(target + ".svg");
   }
   svg.insert(root, "<!--\n" + drawing.note + "-->\n");
   AtomicFile file(target + ".svg", true);
@@ -109,7 +120,7 @@ void publish(const Temporary& temporary, const Drawing& drawing) {
 
 std::string gnuplot_script(const std::string& name, const std::string& source, int width,
                            int height, const std::string& body, const std::string& data) {
-  std::ostringstream s;
+  io::TextStream s;
   s << "# Draws " << name << ".png and " << name << ".svg from " << source << ".\n"
     << "# Run it again after editing:  gnuplot " << name << ".gp  (in this folder)\n"
     << "if (!exists('name')) name = '" << name << "'\n"

@@ -4,9 +4,9 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 
 #include "app/io/text.h"
+#include "app/io/text_stream.h"
 #include "pupflow/instruction_set.h"
 
 namespace pupflow::io {
@@ -47,7 +47,7 @@ std::string cpu_name() {
 
 std::string program_path(const std::string& name) {
   const char* path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
+  io::TextStream folders(path == nullptr ? "" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
     const std::string candidate = folder + "/" + name;
     if (folder.starts_with('/') && ::access(candidate.c_str(), X_OK) == 0) return candidate;

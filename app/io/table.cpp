@@ -1,8 +1,8 @@
 #include "app/io/table.h"
+#include "app/io/text_stream.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace pupflow::io {
 namespace {
@@ -66,7 +66,7 @@ std::string bar(double part, double whole) {
 
 std::vector<std::string> wrapped(const std::string& text, std::size_t width_of_lines) {
   std::vector<std::string> lines;
-  std::istringstream words(text);
+  io::TextStream words(text);
   for (std::string word; words >> word;) {
     if (lines.empty() || width(lines.back()) + 1 + width(word) > width_of_lines) {
       lines.push_back(word);

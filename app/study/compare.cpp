@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <sstream>
 
 #include "app/io/celsius.h"
 #include "app/io/failure.h"
 #include "app/io/json.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
+#include "app/io/text_stream.h"
 #include "app/study/files.h"
 #include "pupflow/observer.h"
 
@@ -59,7 +59,7 @@ std::string summary_of(const std::string& path) {
 
 Table read_table(const std::string& path) {
   Table table{path, {}, {}};
-  std::istringstream lines(io::read_file(path, std::size_t{1} << 30));
+  io::TextStream lines(io::read_file(path, std::size_t{1} << 30));
   std::int64_t number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;

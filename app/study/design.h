@@ -1,9 +1,11 @@
 // What a sweep computes: points, each a value of every varied parameter, with several seeds at each.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/study/axis.h"
@@ -11,10 +13,15 @@
 
 namespace pupflow::study {
 
+/// What a sweep may be called, and so its figure.
+inline constexpr std::array<std::string_view, 2> kDesignNames{"sweep", "figure2"};
+
 /// Which runs one machine computes: those whose index leaves `number - 1` when divided by `of`.
 struct Shard {
   std::int64_t number = 1, of = 1;
   bool whole() const { return of == 1; }
+  /// How many of `runs` runs are its own.
+  std::int64_t count(std::int64_t runs) const { return (runs - number + of) / of; }
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 
@@ -64,7 +71,7 @@ struct Design {
   Params params_of(std::int64_t run) const;
 
   /// The runs of the shard, in order: how many, the one at `place`, all of them.
-  std::int64_t own_count() const { return (runs() - shard.number + shard.of) / shard.of; }
+  std::int64_t own_count() const { return shard.count(runs()); }
   std::int64_t own_run(std::int64_t place) const { return shard.number - 1 + place * shard.of; }
   std::vector<std::int64_t> own_runs() const;
 };

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <vector>
 
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
+#include "app/io/text_stream.h"
 #include "app/study/extend.h"
 #include "app/study/files.h"
 #include "app/study/series.h"
@@ -71,6 +71,11 @@ void claim_folder(const std::string& folder, const Design& design, bool force) {
   if (claimed) {
     remove_file(table_path(folder));
     remove_series(folder);
+    for (const std::string_view name : kDesignNames) {  // the figure of the one that was there
+      Design named = design;
+      named.name = name;
+      for (const std::string& file : other_files(folder, named)) remove_file(file);
+    }
   }
   if (design.layout == Layout::table) write_text(table_path(folder), table_text(design));
   write_text(path, text);
@@ -100,7 +105,7 @@ std::string shown(const std::string& line, std::size_t at) {
 }  // namespace
 
 std::string manifest_difference(const std::string& there, const std::string& now) {
-  std::istringstream a(there), b(now);
+  io::TextStream a(there), b(now);
   std::string line_a, line_b;
   while (true) {
     const bool more_a = static_cast<bool>(std::getline(a, line_a));

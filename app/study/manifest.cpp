@@ -2,12 +2,12 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "app/io/failure.h"
 #include "app/io/provenance.h"
 #include "app/io/schedule_text.h"
 #include "app/io/text.h"
+#include "app/io/text_stream.h"
 #include "app/io/toml_problem.h"
 #include "app/study/design.h"
 #include "app/study/latin.h"
@@ -54,7 +54,7 @@ std::string points_text(const Design& design) {
 }  // namespace
 
 std::string manifest_text(const Design& design) {
-  std::ostringstream text;
+  io::TextStream text;
   text << "# What this sweep computed; 'pupflow sweep' writes it and compares with it before it "
           "goes on.\n"
        << "software = \"" << io::program_version() << "\"\n\n[sweep]\n"
@@ -153,7 +153,6 @@ void check_lines(const std::string& text, const std::string& where) {
 }
 
 /// What this program calls its sweeps.
-constexpr const char* kNames[] = {"sweep", "figure2"};
 
 }  // namespace
 
@@ -169,7 +168,7 @@ Design parse_manifest(const std::string& text, const std::string& where, const s
   const auto sweep = toml["sweep"];
   design.name = required<std::string>(sweep, "name", where);
   // It names files and stands in gnuplot's script, so no other text may come from a file.
-  if (std::find(std::begin(kNames), std::end(kNames), design.name) == std::end(kNames)) {
+  if (std::find(kDesignNames.begin(), kDesignNames.end(), design.name) == kDesignNames.end()) {
     refuse(where, "no sweep is called " + io::quoted(design.name) + ", only sweep and figure2 are");
   }
   design.shard = parse_shard(required<std::string>(sweep, "shard", where));

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "app/io/gnuplot.h"
 #include "app/io/text.h"
+#include "app/io/text_stream.h"
 #include "app/study/plot_labels.h"
 #include "app/study/plot_source.h"
 
@@ -169,7 +169,7 @@ class Maps {
   Ticks y_ticks_;
   int left_;
   Ticks x_ticks_;
-  std::ostringstream s_;
+  io::TextStream s_;
 };
 
 }  // namespace

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "app/io/celsius.h"
 #include "app/io/gnuplot.h"
 #include "app/io/text.h"
+#include "app/io/text_stream.h"
 #include "app/study/plot_labels.h"
 #include "app/study/plot_maps.h"
 #include "app/study/plot_source.h"
@@ -34,7 +34,7 @@ constexpr const char *kBlue = "#31688e", *kOrange = "#c2570c", *kShade = "#f3ead
 std::string marks(const Design& design, const Axis& axis, bool labelled) {
   const Params params = design.params_of(0);
   const auto [low, high] = std::minmax_element(axis.values.begin(), axis.values.end());
-  std::ostringstream s;
+  io::TextStream s;
   const auto mark = [&, low = low, high = high](int number, double at, const char* text,
                                                 const char* side, int dash) {
     if (!(at >= *low && at <= *high)) return;
@@ -54,7 +54,7 @@ std::string marks(const Design& design, const Axis& axis, bool labelled) {
 
 /// Rectangles behind the curves where mean T_b is near T_p.
 std::string shades(const std::vector<Range>& held) {
-  std::ostringstream s;
+  io::TextStream s;
   for (std::size_t i = 0; i < held.size(); ++i) {
     s << "  set object " << i + 1 << " rectangle from " << io::number_text(held[i].from)
       << ", graph 0 to " << io::number_text(held[i].to) << ", graph 1 behind fc rgb '" << kShade
@@ -79,7 +79,7 @@ struct Curves {
     const std::string ticks = words && aside == 0 ? ":xtic(stringcolumn('" + varied + "'))" : "";
     const std::string on = std::string(" axes ") + axes;
     const std::string color_of = std::string(" lc '") + color + "' ";
-    std::ostringstream s;
+    io::TextStream s;
     if (words) {
       s << source << " using " << x << "(" << mean << "):(" << sd << ")" << on
         << " with yerrorbars pt 0 lw 1.5" << color_of << "notitle, \\\n       ";
@@ -141,7 +141,7 @@ std::string four_panels(const Design& design, const Axis& axis,
     note = "shaded: mean T_{b} within " + io::number_text(kHeld) + " of T_{p}" +
            (note.empty() ? "" : ";   ") + note;
   }
-  std::ostringstream s;
+  io::TextStream s;
   const auto [low, high] = std::minmax_element(axis.values.begin(), axis.values.end());
   const int border = temperature ? 7 : 3;          // gnuplot's sides: below, left, above; 8: right
   const double above = temperature ? 1.16 : 1.05;  // above the axis in degrees

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <sstream>
 
 #include "app/io/atomic_file.h"
 #include "app/io/failure.h"
 #include "app/io/provenance.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
+#include "app/io/text_stream.h"
 
 namespace pupflow::study {
 namespace {
@@ -95,7 +95,7 @@ void add_susceptibility(const Design& design, std::vector<Summary>& summaries) {
 
 /// Comment lines that tell how the file was made: the manifest.
 void write_header(io::AtomicFile& file, const Design& design) {
-  std::istringstream lines(manifest_text(design));
+  io::TextStream lines(manifest_text(design));
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty()) file.write("# " + line + "\n");
   }
@@ -230,7 +230,7 @@ void write_summary(const std::string& path, const Design& design,
 }
 
 std::vector<Row> read_runs(const std::string& path, const Design& design) {
-  std::istringstream lines(io::read_file(path, largest_file(design)));
+  io::TextStream lines(io::read_file(path, largest_file(design)));
   const std::int64_t total = design.own_count();
   std::vector<Row> rows;
   bool columns = false;

@@ -2,11 +2,11 @@
 
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "app/io/failure.h"
 #include "app/io/read_file.h"
 #include "app/io/text.h"
+#include "app/io/text_stream.h"
 
 namespace pupflow::study {
 namespace {
@@ -131,7 +131,7 @@ class Reader {
 void parse_table(const std::string& text, const std::string& where, Design& design) {
   design.layout = Layout::table;
   Reader reader(where, design);
-  std::istringstream lines(text);
+  io::TextStream lines(text);
   std::int64_t number = 0, rows = -1;  // -1: no header yet
   for (std::string line; std::getline(lines, line);) {
     ++number;

@@ -4,6 +4,7 @@
 #include "app/io/failure.h"
 #include "app/io/interrupt.h"
 #include "app/io/provenance.h"
+#include "app/io/text.h"
 #include "app/verify/kinds.h"
 
 namespace pupflow::verify {
@@ -12,6 +13,11 @@ const std::string* find_entry(const io::TextEntries& entries, const std::string&
   const auto found = std::find_if(entries.begin(), entries.end(),
                                   [&](const auto& entry) { return entry.first == name; });
   return found == entries.end() ? nullptr : &found->second;
+}
+
+std::int64_t begun(const io::TextEntries& entries) {
+  const std::string* step = find_entry(entries, "begun");
+  return step ? io::read_number<std::int64_t>(*step).value_or(0) : 0;
 }
 
 Simulation litter_of(const io::TextEntries& entries, const std::string& path,
@@ -36,6 +42,14 @@ void advance(Simulation& litter, std::int64_t step, const std::function<void()>&
     }
     if (each) each();
   }
+}
+
+Verdict compare_hash(const Simulation& litter, const std::string& hash, const std::string& whose) {
+  const std::string run = io::hash_text(litter.hash());
+  const std::string where = whose + "step " + std::to_string(litter.steps_done());
+  if (!litter.status().ok()) return {false, where + ": " + litter.status().message()};
+  if (run != hash) return {false, difference(where, "the hash of the state", hash, run)};
+  return {true, where + ", hash " + hash};
 }
 
 std::string difference(const std::string& where, const std::string& what, const std::string& file,

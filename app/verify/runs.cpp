@@ -9,6 +9,7 @@
 #include "app/io/progress.h"
 #include "app/io/provenance.h"
 #include "app/io/text.h"
+#include "app/study/design.h"
 #include "app/study/results.h"
 #include "app/verify/kinds.h"
 #include "pupflow/ensemble.h"
@@ -22,12 +23,19 @@ struct Table {
   Params base;
   Cells columns;
   std::vector<Cells> rows;
-  std::int64_t first = 1;  // the number of the first of them
+  std::int64_t first = 1;                // the number of the first of them
+  std::optional<std::int64_t> complete;  // how many its sweep has
 };
 
 Table read_table(const std::string& path, const Options& options) {
   io::CsvReader file(path);
-  Table table{io::params_from(io::read_csv_header(path), path), file.columns(), {}, 1};
+  const io::TextEntries header = io::read_csv_header(path);
+  Table table{io::params_from(header, path), file.columns(), {}, 1, {}};
+  const std::string *runs = find_entry(header, "runs"), *shard = find_entry(header, "shard");
+  if (runs && shard && !options.row) {
+    const auto all = io::read_number<std::int64_t>(*runs);
+    if (all) table.complete = study::parse_shard(*shard).count(*all);
+  }
   std::int64_t number = 0;
   while (auto row = file.next()) {
     ++number;
@@ -102,6 +110,10 @@ Verdict verify_runs(const std::string& path, const Options& options) {
   }
   for (const std::string& difference : differences) {
     if (!difference.empty()) return {false, difference};
+  }
+  if (table.complete && count != *table.complete) {
+    return {false, "the file has " + std::to_string(count) + " runs, its sweep " +
+                       std::to_string(*table.complete)};
   }
   return {true, std::to_string(count) + " runs"};
 }

@@ -34,14 +34,6 @@ Simulation repeated(const io::TextEntries& entries, std::int64_t step, const std
   return litter;
 }
 
-Verdict compare_hash(const Simulation& litter, const std::string& hash, const std::string& whose) {
-  const std::string run = io::hash_text(litter.hash());
-  const std::string where = whose + "step " + std::to_string(litter.steps_done());
-  if (!litter.status().ok()) return {false, where + ": " + litter.status().message()};
-  if (run != hash) return {false, difference(where, "the hash of the state", hash, run)};
-  return {true, where + ", hash " + hash};
-}
-
 /// figure1: a litter for each panel.
 Verdict verify_figure1(const io::TextEntries& entries, const std::string& path,
                        const Options& options) {
@@ -89,7 +81,7 @@ Verdict verify_picture(const std::string& path, const Options& options) {
   }
   if (*picture == "figure1") return verify_figure1(entries, path, options);
   const std::string& hash = hash_in(entries, path);
-  return compare_hash(repeated(entries, step_of(entries, path), path, options), hash, "");
+  return compare_hash(repeated(entries, step_of(entries, path), path, options), hash);
 }
 
 Verdict verify_checkpoint(const std::string& path, const Options& options) {
@@ -112,7 +104,7 @@ Verdict verify_checkpoint(const std::string& path, const Options& options) {
       return {false, where + *other};
     }
   }
-  return compare_hash(litter, hash_in(entries, path), "");
+  return compare_hash(litter, hash_in(entries, path));
 }
 
 }  // namespace pupflow::verify

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <sstream>
 #include <utility>
 
 #include "app/io/text.h"
+#include "app/io/text_stream.h"
 #include "app/window/session/parameter_text.h"
 
 namespace pupflow::window {
@@ -37,7 +37,7 @@ std::string one_word(std::string_view name) {
 }
 
 std::string hex(std::uint64_t value) {
-  std::ostringstream text;
+  io::TextStream text;
   text << std::hex << value;
   return text.str();
 }
@@ -158,7 +158,7 @@ void TestEvents::text(bool has_keyboard) {
 void TestEvents::camera(const view::Camera& camera) {
   if (!on_ || camera_ == camera) return;
   camera_ = camera;
-  std::ostringstream line;
+  io::TextStream line;
   line << "camera " << camera.azimuth() << ' ' << camera.elevation() << ' ' << camera.distance();
   say(line.str());
 }

@@ -118,6 +118,48 @@ TEST_F(CliRecipe, VerifyNamesTheFirstDifference) {
   EXPECT_THAT(pupflow({"verify", "change.csv"}).out, HasSubstr("differs (step 25: mean_tb is"));
 }
 
+TEST_F(CliRecipe, VerifyMissesWhatIsNotThere) {
+  run({"--steps", "60", "--csv", "m.csv", "--pups", "p.csv", "--every", "5"});
+  const auto said = [this](const std::string& file) {
+    const test::Outcome verdict = pupflow({"verify", file});
+    EXPECT_EQ(verdict.code, 1) << verdict.out;
+    return verdict.out;
+  };
+  /// Without what stands between the two texts, the former included.
+  const auto without = [&](const char* file, const std::string& from, const std::string& to) {
+    std::string text = contents(file);
+    const std::size_t begin = text.find(from) + 1, end = text.find(to, begin) + 1;
+    text.erase(begin, to.empty() ? std::string::npos : end - begin);
+    scratch_.file("cut.csv", text);
+    return said("cut.csv");
+  };
+  EXPECT_THAT(without("m.csv", "\n25,", "\n30,"), HasSubstr("rows between step 20 and step 30"));
+  EXPECT_THAT(without("m.csv", "\n5,", "\n10,"), HasSubstr("are missing"));
+  EXPECT_THAT(without("m.csv", "\n55,", "\n# step"), HasSubstr("rows after step 50 are missing"));
+  EXPECT_THAT(without("m.csv", "\n# step = 60", ""), HasSubstr("the file ends after step 60"));
+  EXPECT_THAT(without("m.csv", "\n50,", ""), HasSubstr("the file ends after step 45"));
+  EXPECT_THAT(without("p.csv", "\n25,1,", "\n25,2,"), HasSubstr("before step 25, pup 2"));
+  EXPECT_THAT(without("p.csv", "\n25,0,", "\n30,0,"),
+              HasSubstr("rows between step 20 and step 30"));
+  EXPECT_THAT(without("p.csv", "\n60,2,", "\n# step"), HasSubstr("rows of step 60 are missing"));
+  spoilt("m.csv", "hash.csv", "# hash = ", "# hash = 0");
+  EXPECT_THAT(said("hash.csv"), HasSubstr("the hash of the state is 0"));
+  spoilt("p.csv", "twice.csv", "\n25,2,", "\n25,1,");
+  EXPECT_THAT(said("twice.csv"), HasSubstr("before step 25, pup 1"));
+}
+
+TEST_F(CliRecipe, ARecordingThatBeginsWithACheckpointIsVerified) {
+  run({"--steps", "20", "--checkpoint", "c.h5"});
+  ASSERT_EQ(
+      pupflow({"run", "--from", "c.h5", "--steps", "30", "--record", "r.h5", "--record-every", "1",
+               "--record-from", "20", "--record-fields", "pup,afferent,point", "--quiet"})
+          .code,
+      0);
+  const test::Outcome verdict = pupflow({"verify", "r.h5"});
+  EXPECT_EQ(verdict.code, 0) << verdict.out;
+  EXPECT_THAT(verdict.out, HasSubstr("11 frames"));
+}
+
 TEST_F(CliRecipe, VerifySaysWhyAWindowsCsvCannotBeRepeated) {
   run({"--steps", "20", "--csv", "m.csv"});
   spoilt("m.csv", "live.csv", "# seed = 1\n", "# seed = 1\n# command = live\n");
@@ -162,6 +204,8 @@ TEST_F(CliRecipe, SweepsAreVerifiedRunByRun) {
               HasSubstr("bad.csv: differs (row 4: exposed_sd is 9"));
   EXPECT_EQ(pupflow({"verify", "bad.csv", "--row", "3"}).code, 0);
   EXPECT_EQ(pupflow({"verify", "bad.csv", "--row", "5"}).code, 2);
+  scratch_.file("cut.csv", text.substr(0, text.rfind('\n', text.size() - 2) + 1));
+  EXPECT_THAT(pupflow({"verify", "cut.csv"}).out, HasSubstr("has 3 runs, its sweep 4"));
   // One of its runs, by itself.
   ASSERT_EQ(
       pupflow({"run", "--like", "s/runs.csv", "--row", "3", "--csv", "three.csv", "--quiet"}).code,

@@ -287,7 +287,8 @@ TEST(Schedule, EverythingWrongIsSaidAtOnce) {
     Params p = small({});
     p.schedule.set(5, beyond, 1);
     ASSERT_EQ(check(p).size(), 1u);
-    EXPECT_EQ(check(p)[0].message, "at step 5: there is no parameter number " + std::to_string(beyond));
+    EXPECT_EQ(check(p)[0].message,
+              "at step 5: there is no parameter number " + std::to_string(beyond));
   }
   EXPECT_EQ(messages({set_at(0, "ta", 0.1), set_at(5, "ta", 0.9, 50)}), "");
   // Allowed each by itself, not together.

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <sstream>
 
+#include "app/io/text_stream.h"
 #include "app/report/error/scene.h"
 
 namespace pupflow::report {
@@ -70,7 +70,7 @@ std::string points_text(const ErrorScene& scene, const std::string& file,
                         const std::string& condition, const Quantity& quantity,
                         const std::string& style, const std::string& color,
                         const std::string& title) {
-  std::ostringstream s;
+  io::TextStream s;
   const std::string error = "column('error_" + quantity.name + "')";
   const std::string pick = "'" + file + "' using (" + condition + " && " + error;
   s << pick << " >= " << scene.smallest_drawn << " ? column('seconds') : NaN):(" << error
@@ -91,7 +91,7 @@ std::string guide_text(const SceneResult& result, std::size_t q) {
       last = &point;
     }
     if (last == nullptr || first == last) continue;
-    std::ostringstream s;
+    io::TextStream s;
     s << ", \\\n       (x >= " << first->seconds << " && x <= " << last->seconds << " ? "
       << 0.6 * last->errors[q] * last->seconds
       << " / x : NaN) with lines lw 1 dt 2 lc '#888888' title 'slope -1: twice the time, half the "
@@ -115,7 +115,7 @@ std::string bound_key(const ErrorScene& scene, const std::vector<Measured>& poin
 }
 
 std::string panels_head(const ErrorScene& scene, std::size_t panels, int width) {
-  std::ostringstream s;
+  io::TextStream s;
   s << "  set yrange [" << scene.smallest_drawn
     << ":*]\n  set logscale xy\n  set format '10^{%L}'\n  set xlabel 'time on one core, s per "
        "model "

@@ -12,7 +12,7 @@
 #include "app/io/text.h"
 #include "python/arrays.h"
 #include "python/errors.h"
-#include "python/signals.h"
+#include "python/gil.h"
 #include "python/values.h"
 
 namespace pupflow::python {
@@ -83,17 +83,14 @@ void Litter::step(std::int64_t count) {
   acted();
   forget();
   const Busy busy(*this);
-  {
-    const py::gil_scoped_release others_may_run;
-    run(count);
-  }
+  run(count);
   require_fine(simulation_.status());
 }
 
 void Litter::run(std::int64_t count) {
-  SignalWatch signals;
+  WithoutGil others_may_run;
   for (std::int64_t i = 0; i < count; ++i) {
-    if (i > 0) signals.look();
+    if (i > 0) others_may_run.look();
     if (unseen_) observer_.pass(simulation_);
     seen_.reset();
     unseen_ = simulation_.step().ok();

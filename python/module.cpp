@@ -8,8 +8,8 @@
 #include "pupflow/version.h"
 #include "python/docstrings.h"
 #include "python/errors.h"
+#include "python/gil.h"
 #include "python/litter_class.h"
-#include "python/signals.h"
 #include "python/tables.h"
 #include "python/values.h"
 
@@ -18,10 +18,9 @@ namespace {
 
 /// run_to_end without the GIL.
 RunResult run_watched(const Params& params) {
-  const py::gil_scoped_release others_may_run;
-  SignalWatch signals;
+  WithoutGil others_may_run;
   return *run_to_end(params, [&] {
-    signals.look();
+    others_may_run.look();
     return false;
   });
 }

@@ -7,6 +7,7 @@ import unittest
 from concurrent.futures import ThreadPoolExecutor
 
 import pupflow
+from program import python
 
 
 def hash_of(seed):
@@ -37,6 +38,14 @@ class Threads(unittest.TestCase):
                     refusals += 1
         self.assertGreater(refusals, 0)
         litter.tb
+
+    def test_a_daemon_thread_in_a_call_does_not_disturb_the_end_of_the_process(self):
+        for call in ("pupflow.Litter('cold').step(10**9)", "pupflow.run('cold', steps=10**9)"):
+            child = python(f"""if True:
+                import threading, time, pupflow
+                threading.Thread(target=lambda: {call}, daemon=True).start()
+                time.sleep(0.2)""")
+            self.assertEqual((child.returncode, child.stderr), (0, ""))
 
     def test_interrupts_end_a_call_between_steps(self):
         litter = pupflow.Litter("cold", pups=2)

@@ -20,7 +20,7 @@ namespace py = pybind11;
 
 /// All members are called with the GIL. They refuse with RuntimeError while another thread steps or
 /// draws the litter.
-class Litter {
+class Litter : public std::enable_shared_from_this<Litter> {
  public:
   explicit Litter(Simulation simulation);
   Litter(const Litter&) = delete;

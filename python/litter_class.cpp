@@ -17,21 +17,37 @@
 #include "python/arrays.h"
 #include "python/docstrings.h"
 #include "python/errors.h"
+#include "python/finished.h"
 #include "python/image.h"
 #include "python/litter.h"
 #include "python/values.h"
 #include "python/words.h"
 
 namespace pupflow::python {
-namespace {
-
-using LitterType = py::class_<Litter, std::shared_ptr<Litter>>;
 
 /// A group of attributes of one litter, one for each row of a table.
 template <auto Table>
 struct Group {
   std::shared_ptr<Litter> litter;
 };
+
+}  // namespace pupflow::python
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<pupflow::python::Litter>
+    : public pupflow::python::FinishedCaster<pupflow::python::Litter> {};
+template <auto Table>
+class type_caster<pupflow::python::Group<Table>>
+    : public pupflow::python::FinishedCaster<pupflow::python::Group<Table>> {};
+
+}  // namespace pybind11::detail
+
+namespace pupflow::python {
+namespace {
+
+using LitterType = py::class_<Litter, std::shared_ptr<Litter>>;
 
 Litter& litter_of(Litter& litter) {
   return litter;
@@ -78,9 +94,14 @@ py::list names_of(const Group<Table>& group) {
   return names;
 }
 
-/// What all classes have in common.
-void finish(const py::object& type) {
+/// What all classes have in common. `instead` follows "cannot pickle 'Class'".
+void finish(const py::object& type, const std::string& instead) {
   refuse_unknown_attributes(type);
+  const auto refuse_pickle = [instead](const py::object& self) {
+    const py::object name = py::type::of(self).attr("__name__");
+    throw py::type_error("cannot pickle '" + name.cast<std::string>() + "'" + instead);
+  };
+  type.attr("__reduce__") = py::cpp_function(refuse_pickle, py::is_method(type));
   type.attr("__module__") = "pupflow";
 }
 
@@ -98,9 +119,9 @@ void add_group(py::module_& module, LitterType& litter, const char* class_name, 
     if (!names_of(self.cast<const Owner&>()).contains(key)) throw py::key_error(key);
     return py::object(self.attr(key));
   });
-  finish(type);
+  finish(type, "; dict() of it can be");
   litter.def_property_readonly(
-      name, [](const std::shared_ptr<Litter>& self) { return Owner{self}; }, doc);
+      name, [](Litter& self) { return Owner{self.shared_from_this()}; }, doc);
 }
 
 std::int64_t whole_number(const py::object& value) {
@@ -249,7 +270,7 @@ void add_litter(py::module_& module) {
   add_group<pup_fields>(module, type, "PupFields", "pup", kPupDoc);
   add_group<afferent_fields>(module, type, "AfferentFields", "afferent", kAfferentDoc);
   add_short_ways(type);
-  finish(type);
+  finish(type, "; save() and load() it, or copy() it");
   module.def("load", load, py::arg("path"), kLoadDoc);
 }
 

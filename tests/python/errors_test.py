@@ -1,8 +1,11 @@
 """What goes wrong is an exception with the sentence of the program."""
 
+import copy
+import pickle
 import unittest
 
 import pupflow
+from program import python
 
 
 class Errors(unittest.TestCase):
@@ -70,6 +73,39 @@ class Errors(unittest.TestCase):
             self.litter.threads = 0
         self.litter.threads = 2
         self.assertEqual(self.litter.threads, 2)
+
+    def test_what_is_not_made_yet_is_refused(self):
+        child = python("""if True:
+            import pupflow
+            class Early(pupflow.Litter):
+                def __init__(self):
+                    self.force
+            litter = pupflow.Litter(pups=1)
+            Params = type(litter.params)
+            unmade = pupflow.Litter.__new__(pupflow.Litter)
+            for use in (Early, lambda: unmade.turn, lambda: unmade.params, lambda: unmade.step(), unmade.copy,
+                        lambda: Params.__new__(Params).ta, lambda: len(Params.__new__(Params))):
+                try:
+                    use()
+                except RuntimeError as error:
+                    print(error)""")
+        self.assertEqual((child.returncode, child.stderr), (0, ""))
+        self.assertEqual(child.stdout.splitlines(), 5 * ["Litter.__init__() has not finished"] + 2 * ["Params.__init__() has not finished"])
+
+    def test_pickles_are_refused(self):
+        child = python("""if True:
+            import pickle, pupflow
+            for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+                try:
+                    pickle.dumps(pupflow.Litter(pups=1), protocol)
+                except TypeError as error:
+                    print(error)""")
+        self.assertEqual((child.returncode, child.stderr), (0, ""))
+        self.assertEqual(set(child.stdout.splitlines()),
+                         {"cannot pickle 'Litter'; save() and load() it, or copy() it"})
+        self.refused(TypeError, "cannot pickle 'Params'; dict() of it can be",
+                     lambda: pickle.dumps(self.litter.params, 0))
+        self.assertEqual(copy.copy(self.litter).hash, copy.deepcopy(self.litter).hash)
 
     def test_bad_numbers_say_where(self):
         litter = pupflow.Litter(pups=2, gravity=1e300)

@@ -85,7 +85,7 @@ class Tables(unittest.TestCase):
 
     def test_short_ways_lead_to_fields_and_parameters(self):
         litter = pupflow.Litter("cold", pups=2)
-        self.assertIs(litter.tb, litter.pup.tb)
+        self.assertTrue(np.shares_memory(litter.tb, litter.pup.tb))
         self.assertEqual(litter.sigma, litter.params.sigma)
         self.assertEqual(litter.heading.shape, (2,))
         self.assertEqual(litter.params.heading, "course")

@@ -34,7 +34,8 @@ time.)";
 inline constexpr const char* kObserveDoc = R"(observe()
 
 The observables of the litter after the last step: a dict by name. Those that compare with an
-earlier state (flow, membership_flow) are nan before the first step.)";
+earlier state (flow, membership_flow) are nan before the first step, after load(), and right after
+flow_lag was set.)";
 
 inline constexpr const char* kCopyDoc = R"(copy()
 
@@ -43,7 +44,7 @@ A litter of its own that goes on bit for bit like this one.)";
 inline constexpr const char* kSaveDoc = R"(save(path, force=False)
 
 Writes a checkpoint, from which load() or `pupflow run --from` goes on bit for bit.
-force: replace a file that exists.)";
+force: replace a file that exists. Raises BadNumbers after a step that did, and writes nothing then.)";
 
 inline constexpr const char* kImageDoc =
     R"(image(width=1280, height=960, *, color_by='tb', colormap=None, scale=None, camera='orbit:30,35',

@@ -107,9 +107,11 @@ void Litter::set_threads(int threads) {
 }
 
 void Litter::set(const Parameter& parameter, py::handle value) {
-  Params params = simulation().params();
   std::vector<std::string> problems;
-  take_value(parameter, value, params, problems);
+  Params wanted;  // code of Python that a value runs may step this litter meanwhile
+  take_value(parameter, value, wanted, problems);
+  Params params = simulation().params();
+  if (problems.empty()) parameter.set(params, parameter.get(wanted));
   if (needs_restart(simulation_.params(), params)) {
     const std::string name(parameter.name);
     throw py::attribute_error(

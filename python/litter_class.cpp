@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <system_error>
 #include <vector>
 
 #include "app/io/atomic_file.h"
@@ -134,10 +135,6 @@ std::string hash_text(Litter& litter) {
   return io::formatted("%016" PRIx64, litter.acted().hash());
 }
 
-std::string path_text(const py::object& path) {
-  return py::module_::import("os").attr("fspath")(path).cast<std::string>();
-}
-
 std::string repr(const Litter& litter) {
   const Simulation& simulation = litter.simulation();
   return io::formatted("<pupflow.Litter: %d pups of %d points, T_a %s, seed %lld, step %lld>",
@@ -156,9 +153,12 @@ std::vector<std::string> warnings_of(const Litter& litter) {
 
 void save(Litter& litter, const py::object& path, bool force) {
   const std::string file = path_text(path);
-  if (!force && !io::is_stream(file) && std::filesystem::exists(file)) {
-    PyErr_SetString(PyExc_FileExistsError,
-                    (file + ": exists already; use force=True to replace it").c_str());
+  require_fine(litter.simulation().status());
+  std::error_code unknown;  // write_checkpoint says what is wrong with the path
+  if (!force && !io::is_stream(file) && std::filesystem::exists(file, unknown)) {
+    const std::string message =
+        io::printable(file) + ": exists already; use force=True to replace it";
+    PyErr_SetString(PyExc_FileExistsError, message.c_str());
     throw py::error_already_set();
   }
   io::write_checkpoint(file, force, litter.acted());

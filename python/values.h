@@ -12,6 +12,13 @@ namespace pupflow::python {
 
 namespace py = pybind11;
 
+/// The words of a str on one line: surrogates, NUL and control characters are escaped.
+std::string text_of(py::handle words);
+
+/// A path (str, bytes or os.PathLike) in bytes, as the system has it. Throws ValueError where one
+/// holds NUL.
+std::string path_text(py::handle path);
+
 /// The parameter's value as a float, an int or, of a choice, a str.
 py::object value_of(const Parameter& parameter, const Params& params);
 

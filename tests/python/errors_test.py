@@ -60,6 +60,34 @@ class Errors(unittest.TestCase):
         with self.assertRaises(TypeError):
             pupflow.Litter(3)
 
+    def test_text_that_is_not_utf8_is_escaped(self):
+        self.refused(ValueError, r"heading = '\udc80': heading must be course or body",
+                     lambda: pupflow.Litter(heading="\udc80"))
+        self.refused(ValueError, r"heading = 'course\x00': heading must be course or body",
+                     lambda: pupflow.Litter(heading="course\0"))
+        for name, shown in (("\udc80", r"\\udc80"), ("ta\0", r"ta\\x00")):
+            with self.assertRaisesRegex(TypeError, f"^unknown parameter '{shown}'; must be one of ta, "):
+                pupflow.run(**{name: 1})
+        self.refused(AttributeError, r"Litter has no attribute '\udc80'", lambda: getattr(self.litter, "\udc80"))
+
+    def test_errors_of_a_value_are_its_own(self):
+        class Value:
+            def __init__(self, error):
+                self.error = error
+
+            def __float__(self):
+                raise self.error
+
+        for error in (KeyboardInterrupt, ValueError("mine"), RuntimeError("mine")):
+            with self.assertRaisesRegex(BaseException, "^(mine)?$") as caught:
+                self.litter.ta = Value(error)
+            self.assertIsInstance(caught.exception, error if isinstance(error, type) else type(error))
+        self.refused(TypeError, "ta must be a number, not Value", lambda: pupflow.Litter(ta=Value(TypeError)))
+        with self.assertRaisesRegex(ValueError, "^ta = -inf"):
+            self.litter.ta = -10**400
+        with self.assertRaisesRegex(ValueError, "^ta = inf"):
+            self.litter.ta = 10**400
+
     def test_what_defines_the_litter_cannot_change(self):
         self.refused(AttributeError, "pups defines the litter and cannot change; make a new one: Litter(pups=...)",
                      lambda: setattr(self.litter, "pups", 3))

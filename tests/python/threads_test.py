@@ -3,6 +3,7 @@
 import os
 import signal
 import threading
+import time
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 
@@ -46,6 +47,23 @@ class Threads(unittest.TestCase):
                 threading.Thread(target=lambda: {call}, daemon=True).start()
                 time.sleep(0.2)""")
             self.assertEqual((child.returncode, child.stderr), (0, ""))
+
+    def test_a_value_that_has_the_litter_stepped_is_refused(self):
+        litter = pupflow.Litter("cold")
+
+        class Value:
+            def __float__(self):
+                thread.start()
+                time.sleep(0.1)
+                return 0.3
+
+        thread = threading.Thread(target=litter.step, args=(3000,))
+        with self.assertRaisesRegex(RuntimeError, "another call steps"):
+            litter.ta = Value()
+        thread.join()
+        other = pupflow.Litter("cold")
+        other.step(3000)
+        self.assertEqual((litter.hash, litter.ta), (other.hash, other.ta))
 
     def test_interrupts_end_a_call_between_steps(self):
         litter = pupflow.Litter("cold", pups=2)

@@ -61,8 +61,7 @@ void translate(std::exception_ptr thrown) {
   }
 }
 
-void set_known(const py::object& self, const py::str& name, const py::object& value) {
-  if (!py::hasattr(py::type::of(self), name)) refuse_attribute(self, name);
+void set_attribute(const py::object& self, const py::str& name, const py::object& value) {
   if (PyObject_GenericSetAttr(self.ptr(), name.ptr(), value.ptr()) != 0)
     throw py::error_already_set();
 }
@@ -93,7 +92,12 @@ void refuse_unknown_attributes(py::object type) {
       py::cpp_function([](const py::object& self,
                           const py::str& name) -> py::object { refuse_attribute(self, name); },
                        py::is_method(type));
-  type.attr("__setattr__") = py::cpp_function(set_known, py::is_method(type));
+  const auto set = [type = py::handle(type)](const py::object& self, const py::str& name,
+                                             const py::object& value) {
+    if (py::type::of(self).is(type) && !py::hasattr(type, name)) refuse_attribute(self, name);
+    set_attribute(self, name, value);
+  };
+  type.attr("__setattr__") = py::cpp_function(set, py::is_method(type));
 }
 
 }  // namespace pupflow::python

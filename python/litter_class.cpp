@@ -4,6 +4,7 @@
 
 #include <cinttypes>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -106,6 +107,14 @@ void finish(const py::object& type, const std::string& instead) {
   type.attr("__module__") = "pupflow";
 }
 
+/// Makes the class a Mapping, which has keys, __iter__, __len__ and __getitem__.
+void make_mapping(const py::object& type) {
+  const py::object mapping = py::module_::import("collections.abc").attr("Mapping");
+  for (const char* const name : {"items", "values", "get", "__contains__"})
+    type.attr(name) = mapping.attr(name);
+  mapping.attr("register")(type);
+}
+
 /// Adds the class of a group, which is a mapping, too, and the attribute of Litter that gives it.
 template <auto Table>
 void add_group(py::module_& module, LitterType& litter, const char* class_name, const char* name,
@@ -116,19 +125,15 @@ void add_group(py::module_& module, LitterType& litter, const char* class_name, 
   type.def("keys", names_of<Table>, "The names of what is known.");
   type.def("__iter__", [](const Owner& self) { return names_of(self).attr("__iter__")(); });
   type.def("__len__", [](const Owner& self) { return names_of(self).size(); });
-  type.def("__getitem__", [](const py::object& self, const py::str& key) {
-    if (!names_of(self.cast<const Owner&>()).contains(key)) throw py::key_error(key);
-    return py::object(self.attr(key));
+  type.def("__getitem__", [](const py::object& self, const py::object& key) {
+    if (names_of(self.cast<const Owner&>()).contains(key)) return py::getattr(self, key);
+    PyErr_SetObject(PyExc_KeyError, key.ptr());
+    throw py::error_already_set();
   });
+  make_mapping(type);
   finish(type, "; dict() of it can be");
   litter.def_property_readonly(
       name, [](Litter& self) { return Owner{self.shared_from_this()}; }, doc);
-}
-
-std::int64_t whole_number(const py::object& value) {
-  const py::object number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
-  if (!number) throw py::error_already_set();
-  return number.cast<std::int64_t>();
 }
 
 std::string hash_text(Litter& litter) {
@@ -174,11 +179,28 @@ std::shared_ptr<Litter> load(const py::object& path) {
   }
 }
 
-py::array image(Litter& litter, int width, int height, const std::string& color_by,
-                const std::optional<std::string>& colormap,
+void step(Litter& litter, const py::object& count) {
+  using Limits = std::numeric_limits<std::int64_t>;
+  litter.step(whole_number("count", count, Limits::min(), Limits::max()));
+}
+
+void set_threads(Litter& litter, const py::object& threads) {
+  constexpr std::int64_t kMost = 1024;
+  litter.set_threads(static_cast<int>(whole_number("threads", threads, 1, kMost)));
+}
+
+/// Width or height of a picture; the graphics module knows which are too large.
+int side(const char* name, const py::object& value) {
+  return static_cast<int>(whole_number(name, value, 1, std::numeric_limits<int>::max()));
+}
+
+py::array image(Litter& litter, const py::object& width, const py::object& height,
+                const std::string& color_by, const std::optional<std::string>& colormap,
                 const std::optional<std::pair<double, double>>& scale, const std::string& camera,
                 bool bar) {
-  return litter.image({width, height, color_by, colormap, scale, camera, bar});
+  const Look look{
+      side("width", width), side("height", height), color_by, colormap, scale, camera, bar};
+  return litter.image(look);
 }
 
 /// An array of actions as an attribute that can be assigned to as a whole, too.
@@ -213,13 +235,11 @@ void add_state(LitterType& type) {
   add("velocity", &Litter::velocities, kVelocityDoc);
   add("hash", hash_text, kHashDoc);
   add("warnings", warnings_of, kWarningsDoc);
-  type.def_property("threads", &Litter::threads, &Litter::set_threads, kThreadsDoc);
+  type.def_property("threads", &Litter::threads, set_threads, kThreadsDoc);
 }
 
 void add_methods(LitterType& type) {
-  type.def(
-      "step", [](Litter& litter, const py::object& count) { litter.step(whole_number(count)); },
-      py::arg("count") = 1, kStepDoc);
+  type.def("step", step, py::arg("count") = 1, kStepDoc);
   type.def(
       "record",
       [](Litter& litter, const std::string& field) {

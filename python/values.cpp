@@ -54,6 +54,21 @@ std::string path_text(py::handle path) {
   throw py::value_error("path " + io::quoted(bytes) + " holds a NUL character");
 }
 
+std::int64_t whole_number(const std::string& name, py::handle value, std::int64_t min,
+                          std::int64_t max) {
+  const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+  if (!index) {
+    if (PyErr_ExceptionMatches(PyExc_TypeError) == 0) throw py::error_already_set();
+    PyErr_Clear();
+    throw py::type_error(name + " must be a whole number, not " + Py_TYPE(value.ptr())->tp_name);
+  }
+  int beyond = 0;
+  const std::int64_t number = PyLong_AsLongLongAndOverflow(index.ptr(), &beyond);
+  if (beyond == 0 && number >= min && number <= max) return number;
+  throw py::value_error(name + " must be a whole number from " + std::to_string(min) + " to " +
+                        std::to_string(max));
+}
+
 py::object value_of(const Parameter& parameter, const Params& params) {
   switch (parameter.kind) {
     case Parameter::Kind::real:

@@ -52,8 +52,8 @@ class Means(TypedDict):
     membership_flow: float
     exposed_sd: float
 
-class _Group:
-    def keys(self) -> list[str]: ...
+class _Group(Mapping[str, Any]):
+    def keys(self) -> list[str]: ...  # type: ignore[override]
     def __iter__(self) -> Iterator[str]: ...
     def __len__(self) -> int: ...
     def __getitem__(self, name: str, /) -> Any: ...
@@ -811,7 +811,8 @@ class Litter:
         """
     def observe(self) -> Observables:
         """The observables of the litter after the last step: a dict by name. Those that compare with an
-        earlier state (flow, membership_flow) are nan before the first step.
+        earlier state (flow, membership_flow) are nan before the first step, after load(), and right after
+        flow_lag was set.
         """
     @property
     def params(self) -> Params:
@@ -911,7 +912,7 @@ class Litter:
     def refinement(self, value: Literal["naive", "consistent"]) -> None: ...
     def save(self, path: str | PathLike[str], force: bool = False) -> None:
         """Writes a checkpoint, from which load() or `pupflow run --from` goes on bit for bit.
-        force: replace a file that exists.
+        force: replace a file that exists. Once a step has raised BadNumbers, save() does, too.
         """
     @property
     def seed(self) -> int:
@@ -1020,7 +1021,7 @@ class Litter:
     def tb0(self, value: float) -> None: ...
     @property
     def threads(self) -> int:
-        """Threads that share a step; results keep their bits."""
+        """Threads that share a step, 1 ... 1024; results keep their bits."""
     @threads.setter
     def threads(self, value: int) -> None: ...
     @property

@@ -32,6 +32,25 @@ class Errors(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "must be one of ta, "):
             pupflow.Litter(completely_different=1)
 
+    def test_subclasses_may_have_attributes_of_their_own(self):
+        class Logged(pupflow.Litter):
+            def __init__(self, *args, **parameters):
+                self.log = []
+                super().__init__(*args, **parameters)
+
+            def step(self, count=1):
+                super().step(count)
+                self.log.append(self.steps_done)
+
+        litter = Logged("cold", pups=2)
+        litter.step(3)
+        litter.ta = 0.3
+        self.assertEqual((litter.log, litter.params.ta), ([3], 0.3))
+        self.refused(AttributeError, "Logged has no attribute 'sigmma'; did you mean 'sigma'?",
+                     lambda: litter.sigmma)
+        with self.assertRaises(AttributeError):
+            litter.tb = 1
+
     def test_wrong_values(self):
         words = "alpha = 2: rigidity must be 0 … 1"
         self.refused(ValueError, words, lambda: pupflow.Litter(alpha=2))
@@ -97,8 +116,18 @@ class Errors(unittest.TestCase):
 
     def test_counts(self):
         self.refused(ValueError, "step(-1): must be 0 or more steps", lambda: self.litter.step(-1))
-        with self.assertRaises(ValueError):
-            self.litter.threads = 0
+        self.refused(ValueError, "step(-1): must be 0 or more steps", lambda: self.litter.step(count=-1))
+        for beyond in (2**63, -2**63 - 1, 10**5000):
+            with self.assertRaisesRegex(ValueError, "^count must be a whole number from .*$"):
+                self.litter.step(beyond)
+        for threads in (0, -1, 1025, 2**31, 2**64):
+            self.refused(ValueError, "threads must be a whole number from 1 to 1024",
+                         lambda: setattr(self.litter, "threads", threads))
+        self.refused(TypeError, "threads must be a whole number, not float",
+                     lambda: setattr(self.litter, "threads", 1.5))
+        for sides, name in (((2**31, 1), "width"), ((64, -1), "height"), ((64, 2**64), "height")):
+            self.refused(ValueError, f"{name} must be a whole number from 1 to 2147483647",
+                         lambda: self.litter.image(*sides))
         self.litter.threads = 2
         self.assertEqual(self.litter.threads, 2)
 

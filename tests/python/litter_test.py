@@ -4,6 +4,7 @@ import csv
 import io
 import math
 import unittest
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -96,8 +97,18 @@ class Tables(unittest.TestCase):
         litter = pupflow.Litter(pups=1)
         self.assertEqual(len(litter.params), len(pupflow.parameters()))
         self.assertEqual(pupflow.Litter(**litter.params).hash, litter.hash)
-        with self.assertRaises(KeyError):
-            litter.pup["__class__"]
+        litter.step()
+        for name in ("__class__", "strain", 3, None):
+            with self.assertRaises(KeyError):
+                litter.pup[name]
+            self.assertNotIn(name, litter.afferent)
+        for group in (litter.params, litter.pup, litter.afferent):
+            self.assertIsInstance(group, Mapping)
+            self.assertEqual([name for name, _ in group.items()], group.keys())
+            self.assertEqual(len(list(group.values())), len(group))
+        self.assertEqual(dict(litter.params.items()), dict(litter.params))
+        self.assertEqual((litter.params.get("ta"), litter.params.get("tta", 7)), (litter.ta, 7))
+        self.assertIn("tb", litter.pup)
 
     def test_types_are_those_of_the_table(self):
         litter = pupflow.Litter("cold", seed=np.int64(7), ta=np.float32(0.5), contact="sum")

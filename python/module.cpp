@@ -28,8 +28,9 @@ RunResult run_watched(const Params& params) {
 py::dict run(const py::object& scene, const py::kwargs& parameters) {
   const RunResult result = run_watched(params_of(scene, parameters));
   require_fine(result.status);
+  constexpr int kCaller = 2;  // of the function of Python that calls this one
   for (const Warning& warning : result.warnings.all()) {
-    if (PyErr_WarnEx(PyExc_RuntimeWarning, warning.message().c_str(), 1) != 0)
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, warning.message().c_str(), kCaller) != 0)
       throw py::error_already_set();
   }
   py::dict means = dict_of(result.means);

@@ -4,6 +4,7 @@
     PYTHONPATH=build/release/python python3 scripts/stubs.py > python/pupflow/__init__.pyi
 """
 
+import inspect
 import textwrap
 from collections.abc import Mapping
 
@@ -160,7 +161,7 @@ def keywords():
 
 def function(name, arguments, result):
     words = getattr(pupflow, name).__doc__
-    return f"def {name}({arguments}) -> {result}:\n" + indented(docstring(words.partition("\n\n")[2]))
+    return f"def {name}({arguments}) -> {result}:\n" + indented(docstring(inspect.cleandoc(words)))
 
 
 def main():

@@ -1103,16 +1103,17 @@ def fields() -> dict[str, dict[str, dict[str, Any]]]:
     doc; low and high are None where the data decide.
     """
 def littermates(scene: str | PathLike[str] | None = None, *, actions: tuple[Literal["force", "heat", "turn"], ...] = ("turn",), steps_per_action: int = 10, reward: Callable[[Litter], ArrayLike] | None = None, ta: float = ..., alpha: float = ..., beta: float = ..., gravity: float = ..., contact: Literal["nearest", "mean", "sum"] = ..., tp: float = ..., k1: float = ..., k2: float = ..., g: float = ..., heat: Literal["exact", "euler"] = ..., tb0: float = ..., drive: float = ..., sigma: float = ..., v: float = ..., heading: Literal["course", "body"] = ..., pups: int = ..., face_points: int = ..., pup_radius: float = ..., point_radius: float = ..., arena_radius: float = ..., start: Literal["column", "carpet"] = ..., start_spread: float = ..., dt: float = ..., refinement: Literal["naive", "consistent"] = ..., integrator: Literal["predictive", "explicit"] = ..., steps: int = ..., discard: int = ..., flow_lag: int = ..., seed: int = ..., precision: Literal["float", "double"] = ...) -> Littermates:
-    """    scene, parameters: as for Litter; the parameter steps is the length of an episode.
-        actions: what an action sets, some of 'force' (3 numbers), 'heat' and 'turn', in this order.
-        steps_per_action: steps of the litter for each step of the environment.
-        reward: a function of the litter that gives a number per pup; by default -|T_b - T_p|.
+    """An environment of the shape of PettingZoo's ParallelEnv, with an agent for each pup.
 
-        An observation is a dict: afferents (6, face_points, face_points), the temperatures felt on the
-        pup's six faces (+x, +y, +z, -x, -y, -z of the body); tb (1,); sides (2,), those on its left and
-        right. The packages pettingzoo and gymnasium are used where they are installed; only the two spaces
-        need gymnasium.
-    
+    scene, parameters: as for Litter; the parameter steps is the length of an episode.
+    actions: what an action sets, some of 'force' (3 numbers), 'heat' and 'turn', in this order.
+    steps_per_action: steps of the litter for each step of the environment.
+    reward: a function of the litter that gives a number per pup; by default -|T_b - T_p|.
+
+    An observation is a dict: afferents (6, face_points, face_points), the temperatures felt on the
+    pup's six faces (+x, +y, +z, -x, -y, -z of the body); tb (1,); sides (2,), those on its left and
+    right. The packages pettingzoo and gymnasium are used where they are installed; only the two spaces
+    need gymnasium.
     """
 
 class Littermates(Protocol):

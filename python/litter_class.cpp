@@ -195,11 +195,17 @@ int side(const char* name, const py::object& value) {
 }
 
 py::array image(Litter& litter, const py::object& width, const py::object& height,
-                const std::string& color_by, const std::optional<std::string>& colormap,
-                const std::optional<std::pair<double, double>>& scale, const std::string& camera,
+                const py::str& color_by, const std::optional<py::str>& colormap,
+                const std::optional<std::pair<double, double>>& scale, const py::str& camera,
                 bool bar) {
-  const Look look{
-      side("width", width), side("height", height), color_by, colormap, scale, camera, bar};
+  Look look{side("width", width),
+            side("height", height),
+            text_of(color_by),
+            {},
+            scale,
+            text_of(camera),
+            bar};
+  if (colormap) look.colormap = text_of(*colormap);
   return litter.image(look);
 }
 
@@ -242,8 +248,8 @@ void add_methods(LitterType& type) {
   type.def("step", step, py::arg("count") = 1, kStepDoc);
   type.def(
       "record",
-      [](Litter& litter, const std::string& field) {
-        litter.record(io::named_field(field, "record"));
+      [](Litter& litter, const py::str& field) {
+        litter.record(io::named_field(text_of(field), "record"));
       },
       py::arg("field"), kRecordDoc);
   type.def(

@@ -49,9 +49,9 @@ std::string text_of(py::handle words) {
 }
 
 std::string path_text(py::handle path) {
-  auto bytes = py::module_::import("os").attr("fsencode")(path).cast<std::string>();
-  if (bytes.find('\0') == std::string::npos) return bytes;
-  throw py::value_error("path " + io::quoted(bytes) + " holds a NUL character");
+  PyObject* bytes = nullptr;
+  if (PyUnicode_FSConverter(path.ptr(), &bytes) == 0) throw py::error_already_set();
+  return py::reinterpret_steal<py::bytes>(bytes);
 }
 
 std::int64_t whole_number(const std::string& name, py::handle value, std::int64_t min,

@@ -88,6 +88,10 @@ class Errors(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, f"^unknown parameter '{shown}'; must be one of ta, "):
                 pupflow.run(**{name: 1})
         self.refused(AttributeError, r"Litter has no attribute '\udc80'", lambda: getattr(self.litter, "\udc80"))
+        with self.assertRaisesRegex(ValueError, r"record: unknown field '\\udc80'"):
+            self.litter.record("\udc80")
+        with self.assertRaisesRegex(ValueError, r"color_by: unknown field '\\udc80'"):
+            self.litter.image(color_by="\udc80")
 
     def test_errors_of_a_value_are_its_own(self):
         class Value:

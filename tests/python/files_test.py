@@ -90,7 +90,7 @@ class Files(unittest.TestCase):
 
     def test_paths_with_nul_are_refused(self):
         for use in (pupflow.load, pupflow.Litter(pups=1).save, pupflow.Litter, pupflow.run):
-            with self.assertRaisesRegex(ValueError, r"^path 'a\\x00b' holds a NUL character$"):
+            with self.assertRaisesRegex(ValueError, "^embedded null byte$"):
                 use("a\0b")
 
     def test_scenes_are_read_from_paths(self):

@@ -151,7 +151,8 @@ class Errors(unittest.TestCase):
                 except RuntimeError as error:
                     print(error)""")
         self.assertEqual((child.returncode, child.stderr), (0, ""))
-        self.assertEqual(child.stdout.splitlines(), 5 * ["Litter.__init__() has not finished"] + 2 * ["Params.__init__() has not finished"])
+        self.assertEqual(child.stdout.splitlines(), 5 * ["Litter.__init__() has not finished"]
+                         + 2 * ["Params.__init__() has not finished"])
 
     def test_pickles_are_refused(self):
         child = python("""if True:

@@ -27,7 +27,8 @@ py::array array_over(std::shared_ptr<std::vector<Number>> memory, const Shape& s
 template <class Number>
 py::array read_only_array(std::shared_ptr<std::vector<Number>> memory, const Shape& shape) {
   py::array array = array_over(std::move(memory), shape);
-  array.attr("setflags")(py::arg("write") = false);
+  // What setflags(write=False) does, in a tenth of the time.
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
   return array;
 }
 

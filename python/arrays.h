@@ -23,11 +23,12 @@ py::array array_over(std::shared_ptr<std::vector<Number>> memory, const Shape& s
   return py::array_t<Number>(shape, data, owner);
 }
 
-/// A read-only array of these numbers.
+/// The same, read-only.
 template <class Number>
-py::array read_only_array(std::vector<Number> numbers, const Shape& shape) {
-  py::array array = array_over(std::make_shared<std::vector<Number>>(std::move(numbers)), shape);
-  array.attr("setflags")(py::arg("write") = false);
+py::array read_only_array(std::shared_ptr<std::vector<Number>> memory, const Shape& shape) {
+  py::array array = array_over(std::move(memory), shape);
+  // What setflags(write=False) does, in a tenth of the time.
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
   return array;
 }
 

@@ -34,7 +34,8 @@ time.)";
 inline constexpr const char* kObserveDoc = R"(observe()
 
 The observables of the litter after the last step: a dict by name. Those that compare with an
-earlier state (flow, membership_flow) are nan before the first step.)";
+earlier state (flow, membership_flow) are nan before the first step, after load(), and right after
+flow_lag was set.)";
 
 inline constexpr const char* kCopyDoc = R"(copy()
 
@@ -43,7 +44,7 @@ A litter of its own that goes on bit for bit like this one.)";
 inline constexpr const char* kSaveDoc = R"(save(path, force=False)
 
 Writes a checkpoint, from which load() or `pupflow run --from` goes on bit for bit.
-force: replace a file that exists.)";
+force: replace a file that exists. Once a step has raised BadNumbers, save() does, too.)";
 
 inline constexpr const char* kImageDoc =
     R"(image(width=1280, height=960, *, color_by='tb', colormap=None, scale=None, camera='orbit:30,35',
@@ -84,7 +85,8 @@ inline constexpr const char* kHashDoc =
 inline constexpr const char* kWarningsDoc =
     R"(The impossible states so far, the first of each kind, as messages.)";
 
-inline constexpr const char* kThreadsDoc = R"(Threads that share a step; results keep their bits.)";
+inline constexpr const char* kThreadsDoc =
+    R"(Threads that share a step, 1 ... 1024; results keep their bits.)";
 
 inline constexpr const char* kParamsDoc = R"(All parameters by name, as attributes and as items.)";
 

@@ -7,6 +7,7 @@
 #include "app/io/nearest.h"
 #include "app/io/text.h"
 #include "python/docstrings.h"
+#include "python/values.h"
 
 namespace pupflow::python {
 
@@ -34,9 +35,14 @@ PyObject* type_of(io::ExitCode code) {
   return PyExc_ValueError;
 }
 
+/// Messages may hold bytes of a path that are not UTF-8.
+py::object message_of(const std::exception& error) {
+  return py::bytes(error.what()).attr("decode")("utf-8", "backslashreplace");
+}
+
 void raise(const BadNumbers& bad) {
   const Status& status = bad.status();
-  const py::object error = py::handle(bad_numbers_type)(bad.what());
+  const py::object error = py::handle(bad_numbers_type)(message_of(bad));
   error.attr("kind") = std::string(kind_name(status.kind));
   error.attr("stage") = std::string(stage_name(status.stage));
   error.attr("step") = status.step;
@@ -51,12 +57,11 @@ void translate(std::exception_ptr thrown) {
   } catch (const BadNumbers& bad) {
     raise(bad);
   } catch (const io::Failure& failure) {
-    PyErr_SetString(type_of(failure.code()), failure.what());
+    PyErr_SetObject(type_of(failure.code()), message_of(failure).ptr());
   }
 }
 
-void set_known(const py::object& self, const py::str& name, const py::object& value) {
-  if (!py::hasattr(py::type::of(self), name)) refuse_attribute(self, name);
+void set_attribute(const py::object& self, const py::str& name, const py::object& value) {
   if (PyObject_GenericSetAttr(self.ptr(), name.ptr(), value.ptr()) != 0)
     throw py::error_already_set();
 }
@@ -70,10 +75,11 @@ void add_errors(py::module_& module) {
   py::register_exception_translator(translate);
 }
 
-void refuse_attribute(py::handle object, const std::string& name) {
+void refuse_attribute(py::handle object, const py::str& attribute) {
+  const std::string name = text_of(attribute);
   std::vector<std::string> known;
   for (const py::handle item : py::module_::import("builtins").attr("dir")(py::type::of(object))) {
-    known.push_back(item.cast<std::string>());
+    known.push_back(text_of(item));
   }
   const std::vector<std::string_view> names(known.begin(), known.end());
   const std::string type = py::type::of(object).attr("__name__").cast<std::string>();
@@ -84,9 +90,14 @@ void refuse_attribute(py::handle object, const std::string& name) {
 void refuse_unknown_attributes(py::object type) {
   type.attr("__getattr__") =
       py::cpp_function([](const py::object& self,
-                          const std::string& name) -> py::object { refuse_attribute(self, name); },
+                          const py::str& name) -> py::object { refuse_attribute(self, name); },
                        py::is_method(type));
-  type.attr("__setattr__") = py::cpp_function(set_known, py::is_method(type));
+  const auto set = [type = py::handle(type)](const py::object& self, const py::str& name,
+                                             const py::object& value) {
+    if (py::type::of(self).is(type) && !py::hasattr(type, name)) refuse_attribute(self, name);
+    set_attribute(self, name, value);
+  };
+  type.attr("__setattr__") = py::cpp_function(set, py::is_method(type));
 }
 
 }  // namespace pupflow::python

@@ -29,10 +29,11 @@ inline void require_fine(const Status& status) {
 /// Adds pupflow.BadNumbers, and the ways from C++ exceptions to Python's.
 void add_errors(pybind11::module_& module);
 
-/// Throws AttributeError: `object` has no attribute `name`. Names the nearest that it has.
-[[noreturn]] void refuse_attribute(pybind11::handle object, const std::string& name);
+/// Throws AttributeError: `object` has no such attribute. Names the nearest that it has.
+[[noreturn]] void refuse_attribute(pybind11::handle object, const pybind11::str& attribute);
 
-/// Makes instances of the class `type` refuse unknown attributes so, whether read or set.
+/// Makes instances of the class `type` refuse unknown attributes so, whether read or set. Those of a
+/// subclass in Python may have attributes of their own.
 void refuse_unknown_attributes(pybind11::object type);
 
 }  // namespace pupflow::python

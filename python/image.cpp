@@ -1,14 +1,17 @@
 #include "python/image.h"
 
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <vector>
 
 #include "app/graphics/graphics.h"
+#include "app/io/failure.h"
 #include "app/io/named_field.h"
 #include "python/arrays.h"
+#include "python/gil.h"
 
 namespace pupflow::python {
 namespace {
@@ -27,10 +30,15 @@ std::vector<std::string> module_candidates() {
   return places;
 }
 
+/// An OpenGL context does not work in a process that was forked after it was made.
 graphics::Graphics& load_graphics() {
   static graphics::Graphics& graphics =
       graphics::entered(io::load_module(module_candidates(), graphics::kEntry));
-  return graphics;
+  static const pid_t loaded_by = ::getpid();
+  if (loaded_by == ::getpid()) return graphics;
+  throw io::Failure(io::ExitCode::no_context,
+                    "a forked process cannot draw where its parent has drawn; start it with "
+                    "multiprocessing's 'spawn'");
 }
 
 pictures::ImageJob job_of(const Look& look) {
@@ -63,7 +71,7 @@ std::vector<std::uint8_t> without_alpha(const io::Image& image) {
 py::array draw(const LitterView& litter, const Look& look) {
   auto rgb = std::make_shared<std::vector<std::uint8_t>>();
   {
-    const py::gil_scoped_release others_may_run;
+    const WithoutGil others_may_run;
     *rgb = without_alpha(load_graphics().image(job_of(look), litter));
   }
   return array_over(std::move(rgb), {look.height, look.width, 3});

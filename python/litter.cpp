@@ -12,7 +12,7 @@
 #include "app/io/text.h"
 #include "python/arrays.h"
 #include "python/errors.h"
-#include "python/signals.h"
+#include "python/gil.h"
 #include "python/values.h"
 
 namespace pupflow::python {
@@ -30,15 +30,17 @@ Simulation observed(Simulation simulation) {
 }
 
 template <class Real>
-py::array copy_of(const PointVectors& vectors) {
-  const py::ssize_t pups = vectors.pups(), points = vectors.points();
-  std::vector<Real> numbers(static_cast<std::size_t>(3 * pups * points));
-  vectors.copy_to(std::span<Real>(numbers));
-  return read_only_array(std::move(numbers), {pups, points, 3});
+std::shared_ptr<std::vector<Real>> copy_of(const PointVectors& vectors) {
+  const auto count = static_cast<std::size_t>(vectors.pups()) * vectors.points() * 3;
+  auto numbers = std::make_shared<std::vector<Real>>(count);
+  vectors.copy_to(std::span<Real>(*numbers));
+  return numbers;
 }
 
-py::array array_of(const PointVectors& vectors, Precision precision) {
-  return precision == Precision::float_ ? copy_of<float>(vectors) : copy_of<double>(vectors);
+/// `numbers` is a copy: code of Python that runs here may change what it was copied from.
+template <class Shown>
+py::array array_of(const Shown numbers, const Shape& shape) {
+  return std::visit([&](const auto& memory) { return read_only_array(memory, shape); }, numbers);
 }
 
 }  // namespace
@@ -81,19 +83,16 @@ void Litter::step(std::int64_t count) {
   if (count < 0)
     throw py::value_error("step(" + std::to_string(count) + "): must be 0 or more steps");
   acted();
-  forget();
+  shown_.clear();
   const Busy busy(*this);
-  {
-    const py::gil_scoped_release others_may_run;
-    run(count);
-  }
+  run(count);
   require_fine(simulation_.status());
 }
 
 void Litter::run(std::int64_t count) {
-  SignalWatch signals;
+  WithoutGil others_may_run;
   for (std::int64_t i = 0; i < count; ++i) {
-    if (i > 0) signals.look();
+    if (i > 0) others_may_run.look();
     if (unseen_) observer_.pass(simulation_);
     seen_.reset();
     unseen_ = simulation_.step().ok();
@@ -108,9 +107,11 @@ void Litter::set_threads(int threads) {
 }
 
 void Litter::set(const Parameter& parameter, py::handle value) {
-  Params params = simulation().params();
   std::vector<std::string> problems;
-  take_value(parameter, value, params, problems);
+  Params wanted;  // code of Python that a value runs may step this litter meanwhile
+  take_value(parameter, value, wanted, problems);
+  Params params = simulation().params();
+  if (problems.empty()) parameter.set(params, parameter.get(wanted));
   if (needs_restart(simulation_.params(), params)) {
     const std::string name(parameter.name);
     throw py::attribute_error(
@@ -125,7 +126,7 @@ void Litter::set(const Parameter& parameter, py::handle value) {
     unseen_ = false;
     seen_.reset();
   }
-  forget();
+  shown_.clear();
 }
 
 bool Litter::knows(const LitterField& field) {
@@ -147,19 +148,17 @@ void Litter::record(const LitterField& field) {
   simulation();
   observed_ = observed_ | field.parts;
   simulation_.set_observed(observed_);
-  forget();
+  shown_.clear();
 }
 
 py::array Litter::values(const LitterField& field) {
   require_known(field);
   const LitterView litter = simulation().view();
-  py::object& shown = shown_[field.name];
-  if (!shown) {
-    Shape shape{litter.pups};
-    if (field.of_afferents) shape.push_back(litter.points);
-    shown = read_only_array(field.values(litter), shape);
-  }
-  return shown;
+  if (!shown_.contains(field.name))
+    shown_[field.name] = std::make_shared<std::vector<double>>(field.values(litter));
+  Shape shape{litter.pups};
+  if (field.of_afferents) shape.push_back(litter.points);
+  return array_of(shown_[field.name], shape);
 }
 
 py::array Litter::positions() {
@@ -172,9 +171,15 @@ py::array Litter::velocities() {
 
 py::array Litter::vectors(std::string_view name, PointVectors LitterView::*member) {
   const LitterView litter = simulation().view();
-  py::object& shown = shown_[name];
-  if (!shown) shown = array_of(litter.*member, litter.params.precision);
-  return shown;
+  const PointVectors& vectors = litter.*member;
+  if (!shown_.contains(name)) {
+    if (litter.params.precision == Precision::float_) {
+      shown_[name] = copy_of<float>(vectors);
+    } else {
+      shown_[name] = copy_of<double>(vectors);
+    }
+  }
+  return array_of(shown_[name], {litter.pups, litter.points, 3});
 }
 
 py::array Litter::force() const {
@@ -227,10 +232,6 @@ py::array Litter::image(const Look& look) {
   const LitterView litter = simulation().view();
   const Busy busy(*this);
   return draw(litter, look);
-}
-
-void Litter::forget() {
-  shown_.clear();
 }
 
 }  // namespace pupflow::python

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "pupflow/observer.h"
@@ -20,7 +21,7 @@ namespace py = pybind11;
 
 /// All members are called with the GIL. They refuse with RuntimeError while another thread steps or
 /// draws the litter.
-class Litter {
+class Litter : public std::enable_shared_from_this<Litter> {
  public:
   explicit Litter(Simulation simulation);
   Litter(const Litter&) = delete;
@@ -47,7 +48,7 @@ class Litter {
   /// Has the steps to come record what the field shows, beside all that they record anyway.
   void record(const LitterField& field);
 
-  /// A read-only array, (pups,) or (pups, points), made once per step. Throws RuntimeError unless
+  /// A read-only array, (pups,) or (pups, points), of numbers worked out once per step. Throws RuntimeError unless
   /// the field is known.
   py::array values(const LitterField& field);
 
@@ -75,11 +76,11 @@ class Litter {
   class Busy;
 
   using Numbers = std::shared_ptr<std::vector<double>>;
+  using Floats = std::shared_ptr<std::vector<float>>;
 
   void show_actions();  // of the simulation, in the arrays
   void require_known(const LitterField& field);
   py::array vectors(std::string_view name, PointVectors LitterView::*member);
-  void forget();  // arrays that show the state before
   void run(std::int64_t count);
 
   Simulation simulation_;
@@ -89,8 +90,11 @@ class Litter {
   std::optional<Observables> seen_;  // after the last step
   Numbers force_, heat_, turn_;
   int threads_ = 1;
-  bool busy_ = false;                             // guarded by the GIL
-  std::map<std::string_view, py::object> shown_;  // by name, until the next step
+  bool busy_ = false;  // guarded by the GIL
+
+  // What arrays show, by name, until the next step. No object of Python: letting go of one may run
+  // code of Python that uses this litter.
+  std::map<std::string_view, std::variant<Numbers, Floats>> shown_;
 };
 
 }  // namespace pupflow::python

@@ -4,8 +4,10 @@
 
 #include <cinttypes>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <system_error>
 #include <vector>
 
 #include "app/io/atomic_file.h"
@@ -17,21 +19,37 @@
 #include "python/arrays.h"
 #include "python/docstrings.h"
 #include "python/errors.h"
+#include "python/finished.h"
 #include "python/image.h"
 #include "python/litter.h"
 #include "python/values.h"
 #include "python/words.h"
 
 namespace pupflow::python {
-namespace {
-
-using LitterType = py::class_<Litter, std::shared_ptr<Litter>>;
 
 /// A group of attributes of one litter, one for each row of a table.
 template <auto Table>
 struct Group {
   std::shared_ptr<Litter> litter;
 };
+
+}  // namespace pupflow::python
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<pupflow::python::Litter>
+    : public pupflow::python::FinishedCaster<pupflow::python::Litter> {};
+template <auto Table>
+class type_caster<pupflow::python::Group<Table>>
+    : public pupflow::python::FinishedCaster<pupflow::python::Group<Table>> {};
+
+}  // namespace pybind11::detail
+
+namespace pupflow::python {
+namespace {
+
+using LitterType = py::class_<Litter, std::shared_ptr<Litter>>;
 
 Litter& litter_of(Litter& litter) {
   return litter;
@@ -78,10 +96,23 @@ py::list names_of(const Group<Table>& group) {
   return names;
 }
 
-/// What all classes have in common.
-void finish(const py::object& type) {
+/// What all classes have in common. `instead` follows "cannot pickle 'Class'".
+void finish(const py::object& type, const std::string& instead) {
   refuse_unknown_attributes(type);
+  const auto refuse_pickle = [instead](const py::object& self) {
+    const py::object name = py::type::of(self).attr("__name__");
+    throw py::type_error("cannot pickle '" + name.cast<std::string>() + "'" + instead);
+  };
+  type.attr("__reduce__") = py::cpp_function(refuse_pickle, py::is_method(type));
   type.attr("__module__") = "pupflow";
+}
+
+/// Makes the class a Mapping, which has keys, __iter__, __len__ and __getitem__.
+void make_mapping(const py::object& type) {
+  const py::object mapping = py::module_::import("collections.abc").attr("Mapping");
+  for (const char* const name : {"items", "values", "get", "__contains__"})
+    type.attr(name) = mapping.attr(name);
+  mapping.attr("register")(type);
 }
 
 /// Adds the class of a group, which is a mapping, too, and the attribute of Litter that gives it.
@@ -94,27 +125,19 @@ void add_group(py::module_& module, LitterType& litter, const char* class_name, 
   type.def("keys", names_of<Table>, "The names of what is known.");
   type.def("__iter__", [](const Owner& self) { return names_of(self).attr("__iter__")(); });
   type.def("__len__", [](const Owner& self) { return names_of(self).size(); });
-  type.def("__getitem__", [](const py::object& self, const py::str& key) {
-    if (!names_of(self.cast<const Owner&>()).contains(key)) throw py::key_error(key);
-    return py::object(self.attr(key));
+  type.def("__getitem__", [](const py::object& self, const py::object& key) {
+    if (names_of(self.cast<const Owner&>()).contains(key)) return py::getattr(self, key);
+    PyErr_SetObject(PyExc_KeyError, key.ptr());
+    throw py::error_already_set();
   });
-  finish(type);
+  make_mapping(type);
+  finish(type, "; dict() of it can be");
   litter.def_property_readonly(
-      name, [](const std::shared_ptr<Litter>& self) { return Owner{self}; }, doc);
-}
-
-std::int64_t whole_number(const py::object& value) {
-  const py::object number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
-  if (!number) throw py::error_already_set();
-  return number.cast<std::int64_t>();
+      name, [](Litter& self) { return Owner{self.shared_from_this()}; }, doc);
 }
 
 std::string hash_text(Litter& litter) {
   return io::formatted("%016" PRIx64, litter.acted().hash());
-}
-
-std::string path_text(const py::object& path) {
-  return py::module_::import("os").attr("fspath")(path).cast<std::string>();
 }
 
 std::string repr(const Litter& litter) {
@@ -135,9 +158,12 @@ std::vector<std::string> warnings_of(const Litter& litter) {
 
 void save(Litter& litter, const py::object& path, bool force) {
   const std::string file = path_text(path);
-  if (!force && !io::is_stream(file) && std::filesystem::exists(file)) {
-    PyErr_SetString(PyExc_FileExistsError,
-                    (file + ": exists already; use force=True to replace it").c_str());
+  require_fine(litter.simulation().status());
+  std::error_code unknown;  // write_checkpoint says what is wrong with the path
+  if (!force && !io::is_stream(file) && std::filesystem::exists(file, unknown)) {
+    const std::string message =
+        io::printable(file) + ": exists already; use force=True to replace it";
+    PyErr_SetString(PyExc_FileExistsError, message.c_str());
     throw py::error_already_set();
   }
   io::write_checkpoint(file, force, litter.acted());
@@ -153,11 +179,34 @@ std::shared_ptr<Litter> load(const py::object& path) {
   }
 }
 
-py::array image(Litter& litter, int width, int height, const std::string& color_by,
-                const std::optional<std::string>& colormap,
-                const std::optional<std::pair<double, double>>& scale, const std::string& camera,
+void step(Litter& litter, const py::object& count) {
+  using Limits = std::numeric_limits<std::int64_t>;
+  litter.step(whole_number("count", count, Limits::min(), Limits::max()));
+}
+
+void set_threads(Litter& litter, const py::object& threads) {
+  constexpr std::int64_t kMost = 1024;
+  litter.set_threads(static_cast<int>(whole_number("threads", threads, 1, kMost)));
+}
+
+/// Width or height of a picture; the graphics module knows which are too large.
+int side(const char* name, const py::object& value) {
+  return static_cast<int>(whole_number(name, value, 1, std::numeric_limits<int>::max()));
+}
+
+py::array image(Litter& litter, const py::object& width, const py::object& height,
+                const py::str& color_by, const std::optional<py::str>& colormap,
+                const std::optional<std::pair<double, double>>& scale, const py::str& camera,
                 bool bar) {
-  return litter.image({width, height, color_by, colormap, scale, camera, bar});
+  Look look{side("width", width),
+            side("height", height),
+            text_of(color_by),
+            {},
+            scale,
+            text_of(camera),
+            bar};
+  if (colormap) look.colormap = text_of(*colormap);
+  return litter.image(look);
 }
 
 /// An array of actions as an attribute that can be assigned to as a whole, too.
@@ -192,17 +241,15 @@ void add_state(LitterType& type) {
   add("velocity", &Litter::velocities, kVelocityDoc);
   add("hash", hash_text, kHashDoc);
   add("warnings", warnings_of, kWarningsDoc);
-  type.def_property("threads", &Litter::threads, &Litter::set_threads, kThreadsDoc);
+  type.def_property("threads", &Litter::threads, set_threads, kThreadsDoc);
 }
 
 void add_methods(LitterType& type) {
-  type.def(
-      "step", [](Litter& litter, const py::object& count) { litter.step(whole_number(count)); },
-      py::arg("count") = 1, kStepDoc);
+  type.def("step", step, py::arg("count") = 1, kStepDoc);
   type.def(
       "record",
-      [](Litter& litter, const std::string& field) {
-        litter.record(io::named_field(field, "record"));
+      [](Litter& litter, const py::str& field) {
+        litter.record(io::named_field(text_of(field), "record"));
       },
       py::arg("field"), kRecordDoc);
   type.def(
@@ -249,7 +296,7 @@ void add_litter(py::module_& module) {
   add_group<pup_fields>(module, type, "PupFields", "pup", kPupDoc);
   add_group<afferent_fields>(module, type, "AfferentFields", "afferent", kAfferentDoc);
   add_short_ways(type);
-  finish(type);
+  finish(type, "; save() and load() it, or copy() it");
   module.def("load", load, py::arg("path"), kLoadDoc);
 }
 

@@ -8,8 +8,8 @@
 #include "pupflow/version.h"
 #include "python/docstrings.h"
 #include "python/errors.h"
+#include "python/gil.h"
 #include "python/litter_class.h"
-#include "python/signals.h"
 #include "python/tables.h"
 #include "python/values.h"
 
@@ -18,10 +18,9 @@ namespace {
 
 /// run_to_end without the GIL.
 RunResult run_watched(const Params& params) {
-  const py::gil_scoped_release others_may_run;
-  SignalWatch signals;
+  WithoutGil others_may_run;
   return *run_to_end(params, [&] {
-    signals.look();
+    others_may_run.look();
     return false;
   });
 }
@@ -29,8 +28,9 @@ RunResult run_watched(const Params& params) {
 py::dict run(const py::object& scene, const py::kwargs& parameters) {
   const RunResult result = run_watched(params_of(scene, parameters));
   require_fine(result.status);
+  constexpr int kCaller = 2;  // of the function of Python that calls this one
   for (const Warning& warning : result.warnings.all()) {
-    if (PyErr_WarnEx(PyExc_RuntimeWarning, warning.message().c_str(), 1) != 0)
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, warning.message().c_str(), kCaller) != 0)
       throw py::error_already_set();
   }
   py::dict means = dict_of(result.means);

@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,18 @@
 namespace pupflow::python {
 
 namespace py = pybind11;
+
+/// The words of a str on one line: surrogates, NUL and control characters are escaped.
+std::string text_of(py::handle words);
+
+/// A path (str, bytes or os.PathLike) in bytes, as the system has it. Throws ValueError where one
+/// holds NUL.
+std::string path_text(py::handle path);
+
+/// A whole number of Python or numpy. Throws TypeError where it is none, ValueError with its `name`
+/// where it is not min ... max.
+std::int64_t whole_number(const std::string& name, py::handle value, std::int64_t min,
+                          std::int64_t max);
 
 /// The parameter's value as a float, an int or, of a choice, a str.
 py::object value_of(const Parameter& parameter, const Params& params);

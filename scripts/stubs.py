@@ -4,7 +4,9 @@
     PYTHONPATH=build/release/python python3 scripts/stubs.py > python/pupflow/__init__.pyi
 """
 
+import inspect
 import textwrap
+from collections.abc import Mapping
 
 import pupflow
 
@@ -39,8 +41,8 @@ class Observables(TypedDict):
 class Means(TypedDict):
 {means}
 
-class _Group:
-    def keys(self) -> list[str]: ...
+class _Group(Mapping[str, Any]):
+    def keys(self) -> list[str]: ...  # type: ignore[override]
     def __iter__(self) -> Iterator[str]: ...
     def __len__(self) -> int: ...
     def __getitem__(self, name: str, /) -> Any: ...
@@ -139,7 +141,7 @@ def members(owner):
     """All public members of a class of the module, by name."""
     parameters, fields = pupflow.parameters(), pupflow.fields()
     texts = []
-    for name in sorted(name for name in vars(owner) if not name.startswith("_") and name != "keys"):
+    for name in sorted(name for name in vars(owner) if not name.startswith("_") and not hasattr(Mapping, name)):
         if owner is pupflow.Litter and name in METHODS:
             signature, _, words = getattr(owner, name).__doc__.partition("\n\n")
             texts.append(f"def {name}{METHODS[name]}:\n" + indented(docstring(words)))
@@ -159,7 +161,7 @@ def keywords():
 
 def function(name, arguments, result):
     words = getattr(pupflow, name).__doc__
-    return f"def {name}({arguments}) -> {result}:\n" + indented(docstring(words.partition("\n\n")[2]))
+    return f"def {name}({arguments}) -> {result}:\n" + indented(docstring(inspect.cleandoc(words)))
 
 
 def main():

@@ -52,8 +52,8 @@ class Means(TypedDict):
     membership_flow: float
     exposed_sd: float
 
-class _Group:
-    def keys(self) -> list[str]: ...
+class _Group(Mapping[str, Any]):
+    def keys(self) -> list[str]: ...  # type: ignore[override]
     def __iter__(self) -> Iterator[str]: ...
     def __len__(self) -> int: ...
     def __getitem__(self, name: str, /) -> Any: ...
@@ -811,7 +811,8 @@ class Litter:
         """
     def observe(self) -> Observables:
         """The observables of the litter after the last step: a dict by name. Those that compare with an
-        earlier state (flow, membership_flow) are nan before the first step.
+        earlier state (flow, membership_flow) are nan before the first step, after load(), and right after
+        flow_lag was set.
         """
     @property
     def params(self) -> Params:
@@ -911,7 +912,7 @@ class Litter:
     def refinement(self, value: Literal["naive", "consistent"]) -> None: ...
     def save(self, path: str | PathLike[str], force: bool = False) -> None:
         """Writes a checkpoint, from which load() or `pupflow run --from` goes on bit for bit.
-        force: replace a file that exists.
+        force: replace a file that exists. Once a step has raised BadNumbers, save() does, too.
         """
     @property
     def seed(self) -> int:
@@ -1020,7 +1021,7 @@ class Litter:
     def tb0(self, value: float) -> None: ...
     @property
     def threads(self) -> int:
-        """Threads that share a step; results keep their bits."""
+        """Threads that share a step, 1 ... 1024; results keep their bits."""
     @threads.setter
     def threads(self, value: int) -> None: ...
     @property
@@ -1102,16 +1103,17 @@ def fields() -> dict[str, dict[str, dict[str, Any]]]:
     doc; low and high are None where the data decide.
     """
 def littermates(scene: str | PathLike[str] | None = None, *, actions: tuple[Literal["force", "heat", "turn"], ...] = ("turn",), steps_per_action: int = 10, reward: Callable[[Litter], ArrayLike] | None = None, ta: float = ..., alpha: float = ..., beta: float = ..., gravity: float = ..., contact: Literal["nearest", "mean", "sum"] = ..., tp: float = ..., k1: float = ..., k2: float = ..., g: float = ..., heat: Literal["exact", "euler"] = ..., tb0: float = ..., drive: float = ..., sigma: float = ..., v: float = ..., heading: Literal["course", "body"] = ..., pups: int = ..., face_points: int = ..., pup_radius: float = ..., point_radius: float = ..., arena_radius: float = ..., start: Literal["column", "carpet"] = ..., start_spread: float = ..., dt: float = ..., refinement: Literal["naive", "consistent"] = ..., integrator: Literal["predictive", "explicit"] = ..., steps: int = ..., discard: int = ..., flow_lag: int = ..., seed: int = ..., precision: Literal["float", "double"] = ...) -> Littermates:
-    """    scene, parameters: as for Litter; the parameter steps is the length of an episode.
-        actions: what an action sets, some of 'force' (3 numbers), 'heat' and 'turn', in this order.
-        steps_per_action: steps of the litter for each step of the environment.
-        reward: a function of the litter that gives a number per pup; by default -|T_b - T_p|.
+    """An environment of the shape of PettingZoo's ParallelEnv, with an agent for each pup.
 
-        An observation is a dict: afferents (6, face_points, face_points), the temperatures felt on the
-        pup's six faces (+x, +y, +z, -x, -y, -z of the body); tb (1,); sides (2,), those on its left and
-        right. The packages pettingzoo and gymnasium are used where they are installed; only the two spaces
-        need gymnasium.
-    
+    scene, parameters: as for Litter; the parameter steps is the length of an episode.
+    actions: what an action sets, some of 'force' (3 numbers), 'heat' and 'turn', in this order.
+    steps_per_action: steps of the litter for each step of the environment.
+    reward: a function of the litter that gives a number per pup; by default -|T_b - T_p|.
+
+    An observation is a dict: afferents (6, face_points, face_points), the temperatures felt on the
+    pup's six faces (+x, +y, +z, -x, -y, -z of the body); tb (1,); sides (2,), those on its left and
+    right. The packages pettingzoo and gymnasium are used where they are installed; only the two spaces
+    need gymnasium.
     """
 
 class Littermates(Protocol):

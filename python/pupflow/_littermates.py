@@ -7,6 +7,9 @@ import numpy as np
 
 from pupflow._core import Litter
 
+# The largest seed.
+_LAST_SEED = 2**53 - 1
+
 # The controls of a pup that actions may set: how many numbers, and the value that leaves it alone.
 _CONTROLS = {"force": (3, 0.0), "heat": (1, 0.0), "turn": (1, math.nan)}
 
@@ -26,13 +29,16 @@ class Littermates:
     render_mode = "rgb_array"
 
     def __init__(self, scene, actions, steps_per_action, reward, parameters):
+        actions = tuple(actions)
+        if not actions or len(set(actions)) < len(actions):
+            raise ValueError(f"actions = {actions}: must be one or more, each once")
         for name in actions:
             if name not in _CONTROLS:
                 raise ValueError(f"actions: {name!r} must be one of {', '.join(_CONTROLS)}")
         if steps_per_action < 1:
             raise ValueError(f"steps_per_action = {steps_per_action}: must be at least 1")
         self._scene, self._parameters = scene, parameters
-        self._actions, self._steps = tuple(actions), steps_per_action
+        self._actions, self._steps = actions, steps_per_action
         self._reward = reward or _thermal_comfort
         self._start = Litter(scene, **parameters)  # whose sizes and limits the spaces have
         self.possible_agents = [f"pup_{pup}" for pup in range(self._start.pups)]
@@ -40,9 +46,11 @@ class Littermates:
 
     def reset(self, seed=None, options=None):
         """A new litter, and (observations, infos). Without a seed: that of the scene at first, then
-        the next one each time. options does nothing."""
-        if seed is None:
-            seed = self._start.seed if self.litter is None else self.litter.seed + 1
+        the next one each time (0 after the last, 2^53 - 1). options does nothing."""
+        if seed is None and self.litter is None:
+            seed = self._start.seed
+        elif seed is None:
+            seed = self.litter.seed + 1 if self.litter.seed < _LAST_SEED else 0
         self.litter = Litter(self._scene, **{**self._parameters, "seed": seed})
         self.agents = self.possible_agents[:]
         return self._observations(), {agent: {} for agent in self.agents}
@@ -58,14 +66,21 @@ class Littermates:
         for agent, action in actions.items():
             if action is not None:
                 self._act(self.possible_agents.index(agent), action)
-        self.litter.step(min(self._steps, self.litter.steps - self.litter.steps_done))
+        left = max(0, self.litter.steps - self.litter.steps_done)  # the litter may be stepped elsewhere
+        self.litter.step(min(self._steps, left))
         agents, ended = self.agents, self.litter.steps_done >= self.litter.steps
-        rewards = dict(zip(agents, map(float, self._reward(self.litter))))
+        rewards = self._rewards()
         observations = self._observations()
         if ended:
             self.agents = []
         return (observations, rewards, dict.fromkeys(agents, False), dict.fromkeys(agents, ended),
                 {agent: {} for agent in agents})
+
+    def _rewards(self):
+        rewards = np.asarray(self._reward(self.litter), dtype=float)
+        if rewards.shape != (len(self.agents),):
+            raise ValueError(f"reward must give a number per pup ({len(self.agents)},), not {rewards.shape}")
+        return dict(zip(self.agents, rewards.tolist()))
 
     def _act(self, pup, action):
         numbers = np.asarray(action, dtype=float)
@@ -120,6 +135,8 @@ class Littermates:
 
     def render(self):
         """A picture of the litter, (960, 1280, 3) uint8."""
+        if self.litter is None:
+            raise RuntimeError("there is no litter yet: call reset()")
         return self.litter.image()
 
     def close(self):

@@ -1,5 +1,6 @@
 """Checkpoints, and scenes from files."""
 
+import os
 import pathlib
 import tempfile
 import unittest
@@ -55,6 +56,42 @@ class Files(unittest.TestCase):
         self.path.write_text("no HDF5")
         with self.assertRaises(OSError):
             pupflow.load(self.path)
+
+    def test_a_bad_state_is_not_saved(self):
+        litter = pupflow.Litter(pups=2, gravity=1e300)
+        for use in (lambda: litter.step(1000), lambda: litter.save(self.path)):
+            with self.assertRaises(pupflow.BadNumbers):
+                use()
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_wrong_paths_are_os_errors(self):
+        loop = self.folder / "loop"
+        loop.symlink_to(loop)
+        for path in (loop / "x.h5", self.folder / ("x" * 300)):
+            with self.assertRaises(OSError):
+                pupflow.Litter(pups=1).save(path)
+
+    def test_paths_need_not_be_utf8(self):
+        litter = pupflow.Litter(pups=1)
+        path = os.path.join(self.folder, os.fsdecode(b"\xff.h5"))
+        with self.assertRaisesRegex(OSError, r"\\xff.h5: .*No such file"):
+            pupflow.load(path)
+        litter.save(path)
+        self.assertEqual(pupflow.load(path).hash, litter.hash)
+        self.assertEqual(pupflow.load(os.fsencode(path)).hash, litter.hash)
+        with self.assertRaisesRegex(FileExistsError, r"\\xff.h5: exists already"):
+            litter.save(path)
+        scene = os.path.join(self.folder, os.fsdecode(b"\xff.toml"))
+        pathlib.Path(scene).write_text("ta = 0.15\n")
+        self.assertEqual(pupflow.Litter(scene).params.ta, 0.15)
+        pathlib.Path(scene).write_text("tta = 0.15\n")
+        with self.assertRaisesRegex(ValueError, r"\\xff.toml:1:1: unknown key 'tta'"):
+            pupflow.Litter(scene)
+
+    def test_paths_with_nul_are_refused(self):
+        for use in (pupflow.load, pupflow.Litter(pups=1).save, pupflow.Litter, pupflow.run):
+            with self.assertRaisesRegex(ValueError, "^embedded null byte$"):
+                use("a\0b")
 
     def test_scenes_are_read_from_paths(self):
         scene = self.folder / "mine.toml"

@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.image import imread
 
 import pupflow
-from program import pupflow as program
+from program import pupflow as program, python
 
 
 class Image(unittest.TestCase):
@@ -54,6 +54,27 @@ class Image(unittest.TestCase):
                                    capture_output=True, text=True)
         self.assertRegex(child.stderr, "RuntimeError: no graphics: the module is neither .*libpupflow_graphics.so nor "
                          ".*apt install")
+
+    def test_a_forked_process_draws_only_where_its_parent_has_not(self):
+        code = """if True:
+            import os, signal, sys, pupflow
+            litter = pupflow.Litter("cold")
+            {first}
+            child = os.fork()
+            if child == 0:
+                signal.alarm(20)
+                try:
+                    litter.image(64, 64, bar=False)
+                except RuntimeError as error:
+                    print(error)
+                sys.exit()
+            sys.exit(os.waitpid(child, 0)[1])"""
+        child = python(code.format(first="litter.image(64, 64, bar=False)"))
+        self.assertEqual((child.returncode, child.stderr), (0, ""))
+        self.assertRegex(child.stdout, "^a forked process cannot draw where its parent has drawn; start it with "
+                         "multiprocessing's 'spawn'$")
+        child = python(code.format(first=""))
+        self.assertEqual((child.returncode, child.stdout, child.stderr), (0, "", ""))
 
     def test_changes_no_bit(self):
         other = self.litter.copy()

@@ -4,6 +4,7 @@ import csv
 import io
 import math
 import unittest
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -85,7 +86,7 @@ class Tables(unittest.TestCase):
 
     def test_short_ways_lead_to_fields_and_parameters(self):
         litter = pupflow.Litter("cold", pups=2)
-        self.assertIs(litter.tb, litter.pup.tb)
+        self.assertTrue(np.shares_memory(litter.tb, litter.pup.tb))
         self.assertEqual(litter.sigma, litter.params.sigma)
         self.assertEqual(litter.heading.shape, (2,))
         self.assertEqual(litter.params.heading, "course")
@@ -96,8 +97,18 @@ class Tables(unittest.TestCase):
         litter = pupflow.Litter(pups=1)
         self.assertEqual(len(litter.params), len(pupflow.parameters()))
         self.assertEqual(pupflow.Litter(**litter.params).hash, litter.hash)
-        with self.assertRaises(KeyError):
-            litter.pup["__class__"]
+        litter.step()
+        for name in ("__class__", "strain", 3, None):
+            with self.assertRaises(KeyError):
+                litter.pup[name]
+            self.assertNotIn(name, litter.afferent)
+        for group in (litter.params, litter.pup, litter.afferent):
+            self.assertIsInstance(group, Mapping)
+            self.assertEqual([name for name, _ in group.items()], group.keys())
+            self.assertEqual(len(list(group.values())), len(group))
+        self.assertEqual(dict(litter.params.items()), dict(litter.params))
+        self.assertEqual((litter.params.get("ta"), litter.params.get("tta", 7)), (litter.ta, 7))
+        self.assertIn("tb", litter.pup)
 
     def test_types_are_those_of_the_table(self):
         litter = pupflow.Litter("cold", seed=np.int64(7), ta=np.float32(0.5), contact="sum")

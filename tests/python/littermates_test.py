@@ -62,6 +62,25 @@ class Littermates(unittest.TestCase):
             self.env.reset(seed=seed)
             seeds.append(self.env.litter.seed)
         self.assertEqual(seeds, [1, 2, 9, 10])
+        self.env.reset(seed=2**53 - 1)
+        self.env.reset()
+        self.assertEqual(self.env.litter.seed, 0)
+
+    def test_a_litter_stepped_elsewhere_ends_the_episode(self):
+        self.env.reset()
+        self.env.litter.step(23)
+        self.assertTrue(all(self.env.step({})[3].values()))
+        self.assertEqual((self.env.litter.steps_done, self.env.agents), (23, []))
+
+    def test_actions_may_come_from_a_generator(self):
+        env = pupflow.littermates("cold", actions=(name for name in ("heat", "turn")), pups=1, steps=20)
+        env.reset()
+        env.step({"pup_0": (0.1, 0.5)})
+        self.assertEqual((env.litter.heat[0], env.litter.turn[0]), (0.1, 0.5))
+
+    def test_a_picture_needs_a_reset(self):
+        with self.assertRaisesRegex(RuntimeError, "there is no litter yet: call reset"):
+            self.env.render()
 
     def test_a_reward_of_ones_own(self):
         env = pupflow.littermates(pups=2, reward=lambda litter: 10 * litter.huddling)
@@ -101,6 +120,14 @@ class Littermates(unittest.TestCase):
             pupflow.littermates(actions=("warmth",))
         with self.assertRaisesRegex(ValueError, "steps_per_action = 0"):
             pupflow.littermates(steps_per_action=0)
+        for actions in ((), ("turn", "turn")):
+            with self.assertRaisesRegex(ValueError, "actions = .*: must be one or more, each once"):
+                pupflow.littermates(actions=actions)
+        for reward, shape in (([1.0], r"\(1,\)"), (1.0, r"\(\)")):
+            env = pupflow.littermates(pups=2, reward=lambda litter: reward)
+            env.reset()
+            with self.assertRaisesRegex(ValueError, rf"reward must give a number per pup \(2,\), not {shape}"):
+                env.step({})
         with self.assertRaisesRegex(TypeError, "unknown parameter 'tta'"):
             pupflow.littermates(tta=1)
         self.env.reset()

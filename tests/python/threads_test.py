@@ -3,10 +3,12 @@
 import os
 import signal
 import threading
+import time
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 
 import pupflow
+from program import python
 
 
 def hash_of(seed):
@@ -37,6 +39,31 @@ class Threads(unittest.TestCase):
                     refusals += 1
         self.assertGreater(refusals, 0)
         litter.tb
+
+    def test_a_daemon_thread_in_a_call_does_not_disturb_the_end_of_the_process(self):
+        for call in ("pupflow.Litter('cold').step(10**9)", "pupflow.run('cold', steps=10**9)"):
+            child = python(f"""if True:
+                import threading, time, pupflow
+                threading.Thread(target=lambda: {call}, daemon=True).start()
+                time.sleep(0.2)""")
+            self.assertEqual((child.returncode, child.stderr), (0, ""))
+
+    def test_a_value_that_has_the_litter_stepped_is_refused(self):
+        litter = pupflow.Litter("cold")
+
+        class Value:
+            def __float__(self):
+                thread.start()
+                time.sleep(0.1)
+                return 0.3
+
+        thread = threading.Thread(target=litter.step, args=(3000,))
+        with self.assertRaisesRegex(RuntimeError, "another call steps"):
+            litter.ta = Value()
+        thread.join()
+        other = pupflow.Litter("cold")
+        other.step(3000)
+        self.assertEqual((litter.hash, litter.ta), (other.hash, other.ta))
 
     def test_interrupts_end_a_call_between_steps(self):
         litter = pupflow.Litter("cold", pups=2)

@@ -5,6 +5,7 @@ import unittest
 import numpy as np
 
 import pupflow
+from program import python
 
 
 class Views(unittest.TestCase):
@@ -48,8 +49,39 @@ class Views(unittest.TestCase):
         del self.litter
         np.testing.assert_array_equal(before, copy)
 
-    def test_they_are_made_once_a_step(self):
-        self.assertIs(self.litter.tb, self.litter.tb)
+    def test_their_numbers_are_copied_once_a_step(self):
+        self.assertTrue(np.shares_memory(self.litter.tb, self.litter.tb))
+        self.assertTrue(np.shares_memory(self.litter.position, self.litter.position))
+
+    def test_a_new_shape_is_that_of_one_array(self):
+        for name in ("tb", "position"):
+            array = getattr(self.litter, name)
+            shape, kind = array.shape, array.dtype
+            array.shape = (array.size, 1)
+            array.dtype = np.int64
+            self.assertEqual(getattr(self.litter, name).shape, shape)
+            self.assertEqual(getattr(self.litter, name).dtype, kind)
+
+    def test_the_end_of_an_array_may_use_the_litter(self):
+        child = python("""if True:
+            import weakref, pupflow
+            litter = pupflow.Litter("cold", pups=2)
+            def use(_):
+                litter.step()
+                litter.tb, litter.position
+            def look():
+                for name in ("tb", "position", "velocity", "speed"):
+                    end = weakref.ref(getattr(litter, name), use)
+                    ends.append(end)
+            ends = []
+            look()
+            litter.step()
+            look()
+            litter.ta = 0.3
+            look()
+            litter.record("strain")
+            assert litter.steps_done == 13, litter.steps_done""")
+        self.assertEqual((child.returncode, child.stderr), (0, ""))
 
     def test_a_litter_without_pups_has_empty_ones(self):
         empty = pupflow.Litter(pups=0)

@@ -48,6 +48,26 @@ class Threads(unittest.TestCase):
                 time.sleep(0.2)""")
             self.assertEqual((child.returncode, child.stderr), (0, ""))
 
+    def test_a_fork_steps_a_litter_whose_threads_stayed_behind(self):
+        child = python("""if True:
+            import os, signal, pupflow
+            litter = pupflow.Litter(pups=64, start="carpet", arena_radius=8)
+            litter.threads = 2
+            litter.step()
+            if os.fork() == 0:
+                signal.alarm(20)
+                litter.step(5)
+                print(litter.hash, flush=True)
+                del litter
+                os._exit(0)
+            print(os.wait()[1], flush=True)
+            litter.step(5)
+            print(litter.hash)""")
+        self.assertEqual((child.returncode, child.stderr), (0, ""))
+        in_child, status, here = child.stdout.split()
+        self.assertEqual(status, "0")
+        self.assertEqual(in_child, here)
+
     def test_a_value_that_has_the_litter_stepped_is_refused(self):
         litter = pupflow.Litter("cold")
 

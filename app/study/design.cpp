@@ -17,7 +17,7 @@ using io::refuse;
 
 }  // namespace
 
-Shard parse_shard(const std::string& text) {
+Shard parse_shard(const std::string& text, const std::string& where) {
   const auto parts = io::split(text, '/');
   Shard shard{0, 0};
   if (parts.size() == 2) {
@@ -25,7 +25,7 @@ Shard parse_shard(const std::string& text) {
     shard.of = io::read_number<std::int64_t>(parts[1]).value_or(0);
   }
   if (shard.number < 1 || shard.number > shard.of || shard.of > kMostShards) {
-    refuse("--shard " + io::quoted(text) + ": write i/n with i from 1 to n, e.g. 1/4");
+    refuse(where + " " + io::quoted(text) + ": write i/n with i from 1 to n, e.g. 1/4");
   }
   return shard;
 }

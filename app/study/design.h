@@ -25,8 +25,8 @@ struct Shard {
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 
-/// Reads "i/n" with 1 <= i <= n. Throws io::Failure(bad_input).
-Shard parse_shard(const std::string& text);
+/// Reads "i/n" with 1 <= i <= n. Throws io::Failure(bad_input), which says where the text stood.
+Shard parse_shard(const std::string& text, const std::string& where = "--shard");
 
 /// How points are made of the values of the axes.
 enum class Layout {

@@ -152,11 +152,7 @@ void check_lines(const std::string& text, const std::string& where) {
   }
 }
 
-/// What this program calls its sweeps.
-
-}  // namespace
-
-Design parse_manifest(const std::string& text, const std::string& where, const std::string& table) {
+Design read_manifest(const std::string& text, const std::string& where, const std::string& table) {
   check_lines(text, where);
   toml::table toml;
   try {
@@ -171,7 +167,7 @@ Design parse_manifest(const std::string& text, const std::string& where, const s
   if (std::find(kDesignNames.begin(), kDesignNames.end(), design.name) == kDesignNames.end()) {
     refuse(where, "no sweep is called " + io::quoted(design.name) + ", only sweep and figure2 are");
   }
-  design.shard = parse_shard(required<std::string>(sweep, "shard", where));
+  design.shard = parse_shard(required<std::string>(sweep, "shard", where), where + ": shard");
   read_parameters(toml, where, design.base);
   read_points(sweep, where, table, design);
   design.seeds = required<std::int64_t>(sweep, "seeds", where);
@@ -183,6 +179,18 @@ Design parse_manifest(const std::string& text, const std::string& where, const s
   if (design.record_every < 0) refuse(where, "record_every must be at least 0");
   check_design(design);
   return design;
+}
+
+}  // namespace
+
+Design parse_manifest(const std::string& text, const std::string& where, const std::string& table) {
+  try {
+    return read_manifest(text, where, table);
+  } catch (const io::Failure& wrong) {  // of its ranges and changes it is what an option says, too
+    const std::string message = wrong.what();
+    if (message.starts_with(where) || (!table.empty() && message.starts_with(table))) throw;
+    throw io::Failure(wrong.code(), where + ": " + message);
+  }
 }
 
 }  // namespace pupflow::study

@@ -129,12 +129,17 @@ std::string transition_text(const Design& design, const Transition& t, bool cels
         "; T_p - G/k1 = " +
         ta_text(base.preferred_temperature - base.thermogenesis / base.air_conductance, celsius);
   }
-  text +=
-      io::formatted("\nthe standard deviation of A is highest, %.3g, at T_a ", t.exposed_sd.value) +
-      ta_text(t.exposed_sd.ta, celsius);
-  text += io::formatted("\npup flow (lag %lld) is highest, %.3g /s, at T_a ",
-                        static_cast<long long>(base.flow_lag), t.flow.value) +
-          ta_text(t.flow.ta, celsius) + "\n";
+  if (!std::isnan(t.exposed_sd.value)) {  // as it is of a single step
+    text += io::formatted("\nthe standard deviation of A is highest, %.3g, at T_a ",
+                          t.exposed_sd.value) +
+            ta_text(t.exposed_sd.ta, celsius);
+  }
+  if (!std::isnan(t.flow.value)) {
+    text += io::formatted("\npup flow (lag %lld) is highest, %.3g /s, at T_a ",
+                          static_cast<long long>(base.flow_lag), t.flow.value) +
+            ta_text(t.flow.ta, celsius);
+  }
+  text += "\n";
   return text + held_text(t.held, celsius);
 }
 

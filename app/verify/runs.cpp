@@ -34,7 +34,7 @@ Table read_table(const std::string& path, const Options& options) {
   const std::string *runs = find_entry(header, "runs"), *shard = find_entry(header, "shard");
   if (runs && shard && !options.row) {
     const auto all = io::read_number<std::int64_t>(*runs);
-    if (all) table.complete = study::parse_shard(*shard).count(*all);
+    if (all) table.complete = study::parse_shard(*shard, path + ": shard").count(*all);
   }
   std::int64_t number = 0;
   while (auto row = file.next()) {

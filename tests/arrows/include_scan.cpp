@@ -110,7 +110,8 @@ std::string other_header_problem(const Layer& layer, std::string_view header) {
   const bool standard = header.find_first_of("./") == std::string_view::npos;
   const bool of_system = header == "immintrin.h" || header == "unistd.h";  // unistd.h: getpid
   if (standard || !layer.folder.starts_with("engine") || of_system) return {};
-  return "the engine includes the C++ standard library, intrinsics, unistd.h and Eigen, nothing else";
+  return "the engine includes the C++ standard library, intrinsics, unistd.h and Eigen, nothing "
+         "else";
 }
 
 std::string read_file(const std::filesystem::path& path) {

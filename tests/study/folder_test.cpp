@@ -67,7 +67,8 @@ TEST_F(AFolder, ShowsOfLongLinesWhatDiffers) {
 
 TEST_F(AFolder, StartsAfreshWhenForced) {
   claim_folder(folder_, design_, false);
-  for (const char* name : {"journal.csv", "runs.csv", "summary.csv", "sweep.png", "sweep.gp"}) {
+  for (const char* name : {"journal.csv", "runs.csv", "summary.csv", "sweep.png", "sweep.gp",
+                           "figure2.gp", "figure2.png", "figure2.svg"}) {
     scratch_.file(std::string("deep/sweep/") + name, "old");
   }
   scratch_.file("deep/sweep/notes.txt", "mine");

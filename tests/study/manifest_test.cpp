@@ -1,5 +1,4 @@
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "app/study/latin.h"
 #include "app/study/table.h"
@@ -116,7 +115,8 @@ TEST_P(WrongManifest, IsRefusedByName) {
   const std::size_t at = text.find(before);
   ASSERT_NE(at, std::string::npos);
   text.replace(at, before.size(), GetParam().second);
-  failure_of(ExitCode::bad_input, [&] { parse_manifest(text, "some/manifest.toml"); });
+  EXPECT_THAT(failure_of(ExitCode::bad_input, [&] { parse_manifest(text, "some/manifest.toml"); }),
+              testing::HasSubstr("some/manifest.toml"));
 }
 
 INSTANTIATE_TEST_SUITE_P(

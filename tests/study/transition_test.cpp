@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/study/small_design.h"
 
 namespace pupflow::study {
@@ -83,6 +85,11 @@ TEST(TransitionFinder, ClaimsNothingThatIsNotSo) {
             "1 - A does not fall\n"
             "the standard deviation of A is highest, 0, at T_a 0.000\n"
             "pup flow (lag 10) is highest, 2 /s, at T_a 0.500\n"
+            "mean T_b is within 0.03 of T_p at no T_a of this sweep\n");
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // as over a single step
+  const Curve brief{{0.1, 0.1}, {kNone, kNone}, {kNone, kNone}};
+  EXPECT_EQ(transition_text(design, *find_transition(design, brief.of(design))),
+            "1 - A does not fall\n"
             "mean T_b is within 0.03 of T_p at no T_a of this sweep\n");
 }
 

@@ -61,6 +61,7 @@ void parse_and_work(int argc, char** argv) {
   program.require_subcommand(0, 1);  // what follows a verb is no verb: 'help run'
   for (const Verb& verb : verbs) {
     verb.app->allow_extras();
+    take_extra_arguments(*verb.app);
     for (CLI::Option* option : verb.app->get_options()) {
       if (option->get_expected_max() == 0) option->disable_flag_override();  // --force=no
     }
@@ -84,6 +85,7 @@ void parse_and_work(int argc, char** argv) {
     const std::string command = "pupflow " + verb.app->get_name();
     refuse_taken_options(*verb.app, command);
     refuse_extras(*verb.app, command);
+    refuse_extras(program, "pupflow");
     verb.work();
     return;
   }

@@ -96,11 +96,12 @@ void take_extra_arguments(CLI::App& verb) {
 
 void refuse_extras(const CLI::App& app, const std::string& command) {
   std::vector<std::string> extras = app.remaining();
+  const bool behind_dashes = !extras.empty() && extras.front() == "--";
   std::erase(extras, "--");
   const std::vector<std::string> arguments = extra_arguments(app);
   if (extras.empty() && arguments.empty()) return;
   const std::string& first = extras.empty() ? arguments.front() : extras.front();
-  if (extras.empty() || !first.starts_with('-')) {
+  if (extras.empty() || behind_dashes || !first.starts_with('-')) {
     io::refuse("unexpected argument " + io::quoted(first) + help_hint(command));
   }
   const std::size_t equals = first.find('=');

@@ -155,6 +155,7 @@ TEST_F(CliWords, AfterTwoDashesAreArguments) {
                                           {"run cold --steps 3 -- --set ta=9", "--set"},
                                           {"run cold -- --", "--"},
                                           {"params cold -- -x", "-x"},
+                                          {"-- --help", "--help"},
                                           {"help run -- sweep", "sweep"}}) {
     const Outcome outcome = with_csv(command);
     EXPECT_EQ(outcome.code, 2) << command;

@@ -196,12 +196,17 @@ void Renderer::draw(const view::Camera& camera, const Viewport& viewport, int su
 
 void Renderer::draw(const view::Camera& camera, io::Image& image, int width, int height,
                     int supersample, const Palette& palette,
-                    const std::function<void()>& before_part) {
+                    const std::function<void()>& between_parts) {
   const Frame frame = frame_of(camera, width, height, supersample, palette);
+  bool begun = false;
+  const auto before = [&] {
+    if (begun && between_parts) between_parts();
+    begun = true;
+  };
   for_each_part(width, height, kLargestPart, [&](const Viewport& part) {
     picture_.resize(part.width, part.height);
     picture_.bind();
-    draw_part(frame, part, 0, 0, before_part);
+    draw_part(frame, part, 0, 0, before);
     picture_.read(image, part.x, height - part.y - part.height);
   });
 }

@@ -47,15 +47,15 @@ class Renderer {
             const Palette& palette = {});
 
   /// The same into the upper left of `image`, which holds `width` x `height` pixels at least. Calls
-  /// `before_part`, which may throw, before each of its parts.
+  /// `between_parts`, which may throw, between the parts that it is drawn in.
   void draw(const view::Camera& camera, io::Image& image, int width, int height, int supersample,
-            const Palette& palette = {}, const std::function<void()>& before_part = {});
+            const Palette& palette = {}, const std::function<void()>& between_parts = {});
 
   /// The same into a picture of its own.
   io::Image picture(const view::Camera& camera, int width, int height, int supersample,
-                    const Palette& palette = {}, const std::function<void()>& before_part = {}) {
+                    const Palette& palette = {}, const std::function<void()>& between_parts = {}) {
     io::Image image(width, height);
-    draw(camera, image, width, height, supersample, palette, before_part);
+    draw(camera, image, width, height, supersample, palette, between_parts);
     return image;
   }
 

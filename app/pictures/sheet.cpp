@@ -206,6 +206,7 @@ io::Image compose(const SheetJob& job, const SheetLayout& layout, const std::vec
   io::Image sheet(layout.width(), layout.height());
   if (!job.look.transparent) view::fill(sheet, {0, 0, sheet.width, sheet.height}, kPaper);
   for (std::size_t i = 0; i < panels.size(); ++i) {
+    refuse_interrupted_figure();
     const Panel& panel = panels[i];
     const view::Box box = layout.panel_box(static_cast<int>(i));
     view::blit(sheet,

@@ -103,7 +103,13 @@ Verb add_figure1(CLI::App& program) {
   add_picture_look(*app, options->look);
   return {
       app,
-      [options, app] { work(*app, *options); },
+      [options, app] {
+        try {
+          work(*app, *options);
+        } catch (const Failure& failure) {
+          throw about_like(*app, options->common.settings.like, failure);
+        }
+      },
       {{"figure1", "The figure, as figure1.png"},
        {"figure1 --color-by group --out groups.png", "The same litters, their groups in colors"}}};
 }

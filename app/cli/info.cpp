@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 /// A sweep, by its folder.
 io::About about_sweep(const std::string& folder) {
-  if (!fs::exists(study::manifest_path(folder))) {
+  std::error_code unreadable;
+  if (!fs::exists(study::manifest_path(folder), unreadable) && !unreadable) {
     io::refuse(folder + ": is a folder without manifest.toml, so there is no sweep in it");
   }
   const study::Design design = study::design_of_folder(folder);
@@ -40,7 +41,7 @@ io::About about_sweep(const std::string& folder) {
   }
   about.facts.emplace_back("seeds", std::to_string(design.seeds));
   about.facts.emplace_back("runs", std::to_string(design.own_runs().size()));
-  const bool finished = fs::exists(study::runs_path(folder));
+  const bool finished = fs::exists(study::runs_path(folder), unreadable);
   about.facts.emplace_back("finished", finished ? "yes" : "no; the same command goes on");
   return about;
 }
@@ -48,7 +49,7 @@ io::About about_sweep(const std::string& folder) {
 io::About about_scene(const std::string& path) {
   std::vector<std::string> problems;
   const io::Scene scene = io::load_scene(path, problems);
-  if (!problems.empty()) io::refuse(io::joined(problems, "\n"));
+  io::refuse_all(problems);
   io::About about;
   about.kind = "scene";
   about.params = scene.params;
@@ -61,7 +62,8 @@ io::About about_scene(const std::string& path) {
 
 io::About about(const std::string& path) {
   const fs::path place(path);
-  if (fs::is_directory(place)) return about_sweep(path);
+  std::error_code unreadable;
+  if (fs::is_directory(place, unreadable)) return about_sweep(path);
   const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
   if (place.filename() == "manifest.toml") return about_sweep(folder.string());
   if (place.extension() == ".toml") return about_scene(path);

@@ -5,7 +5,6 @@
 
 #include "app/cli/parse.h"
 #include "app/cli/verb.h"
-#include "app/io/failure.h"
 #include "app/io/named_field.h"
 #include "app/io/nearest.h"
 #include "app/io/text.h"
@@ -177,6 +176,34 @@ void take_look(const CLI::App& verb, const io::TextEntries& picture, LookOptions
   take("celsius", "--celsius", options.celsius);
   take("transparent", "--transparent", options.transparent);
   take("dpi", "--dpi", options.dpi);
+}
+
+io::Failure about_like(const CLI::App& verb, const std::string& like, const io::Failure& failure) {
+  struct Taken {
+    std::string option, key;
+  };
+  std::string message = failure.what();
+  if (message.starts_with("camera '")) message = "--" + message;
+  for (const auto& [option, key] : {Taken{"--size", "size"},
+                                    {"--camera", "camera"},
+                                    {"--target", "camera_target"},
+                                    {"--grid", "grid"},
+                                    {"--at", "step"},
+                                    {"--ta", "panels_ta"},
+                                    {"--color-by", "color_by"},
+                                    {"--colormap", "colormap"},
+                                    {"--scale", "scale"},
+                                    {"--draw", "draw"},
+                                    {"--quality", "quality"},
+                                    {"--overlay", "overlay"}}) {
+    const std::string rest = message.substr(std::min(option.size(), message.size()));
+    if (!message.starts_with(option) || (!rest.starts_with(' ') && !rest.starts_with(':')))
+      continue;
+    const CLI::Option* declared = verb.get_option_no_throw(option);
+    if (like.empty() || failure.several() || (declared && declared->count() > 0)) break;
+    return {failure.code(), like + ": " + key + rest};
+  }
+  return failure;
 }
 
 void check_picture_name(const std::string& option, const std::string& path) {

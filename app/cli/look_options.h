@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "app/io/failure.h"
 #include "app/io/png.h"
 #include "app/pictures/look.h"
 
@@ -40,6 +41,9 @@ void add_picture_look(CLI::App& verb, LookOptions& options);
 
 /// Takes what was not typed from the entries of a picture.
 void take_look(const CLI::App& verb, const io::TextEntries& picture, LookOptions& options);
+
+/// `failure` where its option was typed; else in words that name the picture `like` that has the value.
+io::Failure about_like(const CLI::App& verb, const std::string& like, const io::Failure& failure);
 
 /// Refuses the name of a picture that ends as another kind of file does, e.g. a.jpg.
 void check_picture_name(const std::string& option, const std::string& path);

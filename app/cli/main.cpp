@@ -62,6 +62,7 @@ void parse_and_work(int argc, char** argv) {
   program.require_subcommand(0, 1);  // what follows a verb is no verb: 'help run'
   for (const Verb& verb : verbs) {
     verb.app->allow_extras();
+    take_extra_arguments(*verb.app);
     for (CLI::Option* option : verb.app->get_options()) {
       if (option->get_expected_max() == 0) option->disable_flag_override();  // --force=no
     }
@@ -85,6 +86,7 @@ void parse_and_work(int argc, char** argv) {
     const std::string command = "pupflow " + verb.app->get_name();
     refuse_taken_options(*verb.app, command);
     refuse_extras(*verb.app, command);
+    refuse_extras(program, "pupflow");
     verb.work();
     return;
   }
@@ -119,7 +121,7 @@ ExitCode code_of(Work work, Report report) {
     work();
     return ExitCode::done;
   } catch (const Failure& failure) {
-    return told(failure.what(), failure.code());
+    return told(failure.lines().c_str(), failure.code());
   } catch (const InvalidParams& invalid) {
     return told(invalid.what(), ExitCode::bad_input);
   } catch (const std::bad_alloc&) {
@@ -129,9 +131,10 @@ ExitCode code_of(Work work, Report report) {
   } catch (const std::system_error& error) {
     const bool of_threads = error.code() == std::errc::resource_unavailable_try_again;
     return of_threads ? told(kNoThreads, ExitCode::bad_input)
-                      : told(error.what(), ExitCode::bad_file);
+                      : told(io::printable(error.what()).c_str(), ExitCode::bad_file);
   } catch (const std::exception& error) {
-    return told((std::string("internal error: ") + error.what()).c_str(), ExitCode::difference);
+    const std::string message = std::string("internal error: ") + error.what();
+    return told(io::printable(message).c_str(), ExitCode::difference);
   }
 }
 
@@ -164,12 +167,12 @@ void take_end_of_memory() {
 }
 
 /// Opens those of standard input, output and error that are closed: a file that is opened later would
-/// otherwise get its number, and then what is printed.
+/// otherwise get its number, and then what is printed. What is written to a closed output still fails.
 void open_standard_streams() {
   for (int stream = 0; stream <= 2;) {
     if (fcntl(stream, F_GETFD) >= 0) {
       ++stream;
-    } else if (open("/dev/null", O_RDWR) < 0) {
+    } else if (open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) < 0) {
       return;
     }
   }

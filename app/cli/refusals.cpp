@@ -43,9 +43,18 @@ std::string setting_for(const std::string& option) {
   return find_parameter(name) != nullptr ? name : std::string();
 }
 
+constexpr const char* kExtraArguments = "EXTRA";
+
+/// The arguments that are more than the verb takes.
+std::vector<std::string> extra_arguments(const CLI::App& app) {
+  const CLI::Option* extra = app.get_option_no_throw(kExtraArguments);
+  return extra == nullptr ? std::vector<std::string>() : extra->results();
+}
+
 /// What stood after an unknown option, which CLI11 may have taken for an argument of the verb.
-std::string value_beside(const CLI::App& app, const std::vector<std::string>& extras) {
-  if (extras.size() > 1) return extras[1];
+std::string value_beside(const CLI::App& app, const std::vector<std::string>& options) {
+  if (options.size() > 1) return options[1];
+  if (const auto arguments = extra_arguments(app); !arguments.empty()) return arguments.front();
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_positional() && option->count() > 0) return option->results().front();
   }
@@ -79,11 +88,20 @@ void refuse_unknown_verb(std::span<const Verb> verbs, std::span<const char* cons
   io::refuse("unknown verb " + io::quoted(given) + (meant.empty() ? "; verbs: " + listed : meant));
 }
 
+void take_extra_arguments(CLI::App& verb) {
+  verb.add_option_function<std::vector<std::string>>(kExtraArguments,
+                                                     [](const std::vector<std::string>&) {})
+      ->group("");
+}
+
 void refuse_extras(const CLI::App& app, const std::string& command) {
-  const std::vector<std::string> extras = app.remaining();
-  if (extras.empty()) return;
-  const std::string& first = extras.front();
-  if (!first.starts_with('-')) {
+  std::vector<std::string> extras = app.remaining();
+  const bool behind_dashes = !extras.empty() && extras.front() == "--";
+  std::erase(extras, "--");
+  const std::vector<std::string> arguments = extra_arguments(app);
+  if (extras.empty() && arguments.empty()) return;
+  const std::string& first = extras.empty() ? arguments.front() : extras.front();
+  if (extras.empty() || behind_dashes || !first.starts_with('-')) {
     io::refuse("unexpected argument " + io::quoted(first) + help_hint(command));
   }
   const std::size_t equals = first.find('=');

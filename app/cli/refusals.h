@@ -14,6 +14,10 @@ namespace pupflow::cli {
 /// Refuses `words`, those after the program's name, that do not begin with a verb or an option.
 void refuse_unknown_verb(std::span<const Verb> verbs, std::span<const char* const> words);
 
+/// Lets `verb` take any number of arguments more, for refuse_extras. CLI11 would end a verb that takes
+/// none at '--', and what follows would be lost.
+void take_extra_arguments(CLI::App& verb);
+
 /// Refuses what CLI11 did not know what to do with. `command` is "pupflow VERB".
 void refuse_extras(const CLI::App& app, const std::string& command);
 

@@ -162,7 +162,9 @@ view::Camera camera_of(const RenderOptions& options) {
 void say_written(const pictures::RenderJob& job) {
   if (job.output.quiet) return;
   if (job.fps > 0) {
-    if (std::filesystem::exists(job.output.path)) io::print("wrote " + job.output.path + "\n");
+    std::error_code gone;
+    if (std::filesystem::exists(job.output.path, gone))
+      io::print("wrote " + job.output.path + "\n");
     return;
   }
   const std::string first = io::frame_path(job.output.path, job.at.front());
@@ -331,7 +333,13 @@ Verb add_render(CLI::App& program) {
   add_picture_look(*app, options->look);
   add_trail(*app, options->look);
   return {app,
-          [options, app] { work(*app, *options); },
+          [options, app] {
+            try {
+              work(*app, *options);
+            } catch (const Failure& failure) {
+              throw about_like(*app, options->common.settings.like, failure);
+            }
+          },
           {{"render cold --at 500,1500 --out 'cold-%05d.png'", "Pictures after steps 500 and 1500"},
            {"render critical --movie critical.mp4", "A film of the whole run"}}};
 }

@@ -195,12 +195,18 @@ void Renderer::draw(const view::Camera& camera, const Viewport& viewport, int su
 }
 
 void Renderer::draw(const view::Camera& camera, io::Image& image, int width, int height,
-                    int supersample, const Palette& palette) {
+                    int supersample, const Palette& palette,
+                    const std::function<void()>& between_parts) {
   const Frame frame = frame_of(camera, width, height, supersample, palette);
+  bool begun = false;
+  const auto before = [&] {
+    if (begun && between_parts) between_parts();
+    begun = true;
+  };
   for_each_part(width, height, kLargestPart, [&](const Viewport& part) {
     picture_.resize(part.width, part.height);
     picture_.bind();
-    draw_part(frame, part, 0, 0);
+    draw_part(frame, part, 0, 0, before);
     picture_.read(image, part.x, height - part.y - part.height);
   });
 }
@@ -215,9 +221,11 @@ Renderer::Frame Renderer::frame_of(const view::Camera& camera, int width, int he
   return {matrices, from_below, width, height, supersample, palette};
 }
 
-void Renderer::draw_part(const Frame& frame, const Viewport& part, int x, int y) {
+void Renderer::draw_part(const Frame& frame, const Viewport& part, int x, int y,
+                         const std::function<void()>& before) {
   const int samples = frame.supersample;
   if (samples == 1) {
+    if (before) before();
     draw_scene(frame.of(part), frame.from_below, {x, y, part.width, part.height}, frame.palette);
     return;
   }
@@ -225,6 +233,7 @@ void Renderer::draw_part(const Frame& frame, const Viewport& part, int x, int y)
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   for_each_part(
       part.width, part.height, std::max(1, kLargestPart / samples), [&](const Viewport& inner) {
+        if (before) before();
         const Viewport inside{part.x + inner.x, part.y + inner.y, inner.width, inner.height};
         const Viewport store{0, 0, samples * inner.width, samples * inner.height};
         samples_.resize(store.width, store.height);

@@ -2,6 +2,7 @@
 // context must be current whenever a function here runs, the destructors included.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "app/gl/object.h"
@@ -45,15 +46,16 @@ class Renderer {
   void draw(const view::Camera& camera, const Viewport& viewport, int supersample,
             const Palette& palette = {});
 
-  /// The same into the upper left of `image`, which holds `width` x `height` pixels at least.
+  /// The same into the upper left of `image`, which holds `width` x `height` pixels at least. Calls
+  /// `between_parts`, which may throw, between the parts that it is drawn in.
   void draw(const view::Camera& camera, io::Image& image, int width, int height, int supersample,
-            const Palette& palette = {});
+            const Palette& palette = {}, const std::function<void()>& between_parts = {});
 
   /// The same into a picture of its own.
   io::Image picture(const view::Camera& camera, int width, int height, int supersample,
-                    const Palette& palette = {}) {
+                    const Palette& palette = {}, const std::function<void()>& between_parts = {}) {
     io::Image image(width, height);
-    draw(camera, image, width, height, supersample, palette);
+    draw(camera, image, width, height, supersample, palette, between_parts);
     return image;
   }
 
@@ -73,7 +75,8 @@ class Renderer {
   struct Frame;
   Frame frame_of(const view::Camera& camera, int width, int height, int supersample,
                  const Palette& palette);
-  void draw_part(const Frame& frame, const Viewport& part, int x, int y);  // to x, y
+  void draw_part(const Frame& frame, const Viewport& part, int x, int y,
+                 const std::function<void()>& before = {});  // to x, y
   void resolve(const Viewport& viewport, int samples);
   void draw_spheres(const view::CameraMatrices& matrices, int rows);
   void draw_ellipsoids(const view::CameraMatrices& matrices, int rows);

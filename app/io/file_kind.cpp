@@ -29,6 +29,9 @@ FileKind file_kind(const std::string& path) {
   const bool hdf5 = bytes.starts_with(kHdf5Signature) || bytes.ends_with(kHdf5Signature) ||
                     bytes.starts_with("pupflow checkpoint") ||
                     bytes.starts_with("pupflow recording");
+  if (!hdf5 && path.ends_with(".h5") && !bytes.starts_with('#')) {
+    refuse(path + ": is no recording or checkpoint, which its name says; it does not begin as one");
+  }
   return hdf5 ? FileKind::hdf5 : FileKind::text;
 }
 

@@ -11,7 +11,8 @@ enum class FileKind {
   text      // anything else
 };
 
-/// Throws Failure(bad_file) when it cannot be read.
+/// Throws Failure(bad_file) when it cannot be read, Failure(bad_input) when only its name is that of
+/// HDF5.
 FileKind file_kind(const std::string& path);
 
 }  // namespace pupflow::io

@@ -176,9 +176,11 @@ void MovieFile::fail(const ChildEnd& end) const {
   if (interrupted()) {
     throw Failure(ExitCode::interrupted, "interrupted; no film was written");
   }
-  throw Failure(ExitCode::bad_file, path_ + ": ffmpeg failed with exit code " +
-                                        std::to_string(end.status) + " (" +
-                                        complaint(end.last_words) + "); no film was written");
+  const std::string failed = end.status == 0
+                                 ? "ffmpeg could not write the film"
+                                 : "ffmpeg failed with exit code " + std::to_string(end.status);
+  throw Failure(ExitCode::bad_file, path_ + ": " + failed + " (" + complaint(end.last_words) +
+                                        "); no film was written");
 }
 
 }  // namespace pupflow::io

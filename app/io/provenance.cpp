@@ -105,7 +105,7 @@ Params params_from(const TextEntries& entries, const std::string& where) {
   if (const auto at = find(kSchedule); at != entries.end()) {
     std::vector<std::string> problems;
     params.schedule = parse_schedule(at->second, where, problems);
-    if (!problems.empty()) refuse(joined(problems, "\n"));
+    refuse_all(problems);
   }
   return params;
 }

@@ -30,6 +30,12 @@ void take(const std::string& option, std::string_view name, std::string_view val
   }
   Problem problem;
   if (!parse_value(*parameter, value, params, problem)) {
+    // A number as it was typed: in a double it may have other digits.
+    const std::string start = std::string(parameter->name) + " = ";
+    const std::size_t end = problem.message.find(": ");
+    if (problem.message.starts_with(start) && read_number<double>(value)) {
+      problem.message = start + std::string(value) + problem.message.substr(end);
+    }
     problems.push_back(option + ": " + problem.message + did_you_mean(value, parameter->choices));
   }
 }
@@ -76,7 +82,7 @@ Setup set_up(const Settings& settings, const Params& base) {
     add_change(change, "--at", setup.params.schedule, problems);
   }
   for (const Problem& problem : check(setup.params)) problems.push_back(problem.message);
-  if (!problems.empty()) refuse(joined(problems, "\n"));
+  refuse_all(problems);
   return setup;
 }
 

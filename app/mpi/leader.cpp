@@ -56,7 +56,9 @@ void Leader::wait_until_all(Predicate predicate) {
 
 void Leader::wait_for_workers() {
   wait_until_all([](const Peer& peer) { return peer.lost || peer.state != Peer::State::starting; });
-  if (!refusal_.empty()) throw io::Failure(io::ExitCode::bad_input, refusal_);
+  if (refusal_.empty()) return;
+  const std::vector<std::string_view> lines = io::split(refusal_, '\n');
+  io::refuse_all({lines.begin(), lines.end()});
 }
 
 void Leader::compute(std::int64_t count, const std::function<Params(std::int64_t)>& params_of,

@@ -9,6 +9,7 @@
 #include "app/context/headless.h"
 #include "app/gl/target.h"
 #include "app/io/failure.h"
+#include "app/io/interrupt.h"
 #include "app/io/memory.h"
 #include "app/io/text.h"
 #include "app/pictures/annotations.h"
@@ -21,6 +22,10 @@ namespace {
 
 std::string limits(int least, int most) {
   return std::to_string(least) + " ... " + std::to_string(most);
+}
+
+void refuse_interrupted() {
+  if (io::interrupted()) throw io::Failure(io::ExitCode::interrupted, "interrupted while drawing");
 }
 
 }  // namespace
@@ -98,7 +103,8 @@ io::Image Picture::draw(gl::Renderer& renderer, const LitterView& litter,
   gl::Palette palette;
   palette.transparent = look_.transparent;
   io::Image picture(width_, height_);  // one: large pictures fill the memory
-  renderer.draw(camera, picture, scene_width_, height_, look_.samples(), palette);
+  renderer.draw(camera, picture, scene_width_, height_, look_.samples(), palette,
+                refuse_interrupted);
   if (look_.transparent) unmultiply(picture);
   add_overlays(picture, litter, camera);
   if (bar_) add_legend(picture, litter.params.preferred_temperature);

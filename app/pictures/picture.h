@@ -65,7 +65,8 @@ class Picture {
 
   /// The litter as `camera` sees it. In a sequence, automatic scales follow the data within half a
   /// second of the model. The renderer's context must be current. Throws Failure(bad_input) when
-  /// the driver allows no picture of that size with the look's samples.
+  /// the driver allows no picture of that size with the look's samples, Failure(interrupted) after
+  /// Ctrl-C.
   io::Image draw(gl::Renderer& renderer, const LitterView& litter, const view::Camera& camera);
 
   /// What a file carries beside the parameters so that the last picture can be made again.

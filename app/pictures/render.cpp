@@ -158,6 +158,15 @@ class Writer {
   io::Background thread_;  // last: it uses the others
 };
 
+/// Does `work`; a Failure that it throws also says what `writer` has written.
+auto telling(Writer& writer, auto work) {
+  try {
+    return work();
+  } catch (const io::Failure& failure) {
+    throw io::Failure(failure.code(), failure.what() + ("; " + writer.summary()));
+  }
+}
+
 /// The litter to begin with. What its colors show is recorded from the first frame on.
 Simulation first_litter(const RenderJob& job) {
   if (!job.from) return observed_litter(job.params, job.look.parts());
@@ -191,11 +200,7 @@ class Stepper {
   /// At the next of the job's steps. Throws Failure: bad_numbers, interrupted; it says what `writer`
   /// has written.
   Moment next(Writer& writer) {
-    try {
-      thread_.wait_for_all();
-    } catch (const io::Failure& failure) {
-      throw io::Failure(failure.code(), failure.what() + ("; " + writer.summary()));
-    }
+    telling(writer, [&] { thread_.wait_for_all(); });
     Moment moment{litter_, trails_};
     begin();
     return moment;
@@ -266,7 +271,8 @@ void render(const RenderJob& job) {
     const auto [litter, trails] = stepper.next(writer);
     picture.remember(trails);
     if (job.follow) camera.look_at(litter.view().positions.mean(*job.follow));
-    io::Image frame = picture.draw(*headless.renderer, litter.view(), camera);
+    io::Image frame =
+        telling(writer, [&] { return picture.draw(*headless.renderer, litter.view(), camera); });
     writer.write(litter, std::move(frame), camera, picture.look_entries());
   }
   writer.close();

@@ -94,6 +94,12 @@ std::vector<Panel> make_panels(const SheetJob& job) {
   return panels;
 }
 
+/// Throws Failure(interrupted) after Ctrl-C.
+void refuse_interrupted_figure() {
+  if (!io::interrupted()) return;
+  throw io::Failure(io::ExitCode::interrupted, "interrupted; no figure was written");
+}
+
 /// Runs all litters to the end, side by side on the threads that were asked for. Throws
 /// Failure(bad_numbers) when the numbers of a litter go wrong, and after Ctrl-C.
 void run_all(std::vector<Panel>& panels, const SheetJob& job) {
@@ -106,9 +112,7 @@ void run_all(std::vector<Panel>& panels, const SheetJob& job) {
   for_each_index(static_cast<std::int64_t>(panels.size()), job.threads, [&](std::int64_t i) {
     Simulation& litter = panels[static_cast<std::size_t>(i)].litter;
     while (litter.steps_done() < litter.params().steps) {
-      if (io::interrupted()) {
-        throw io::Failure(io::ExitCode::interrupted, "interrupted; no figure was written");
-      }
+      refuse_interrupted_figure();
       const std::int64_t steps = std::min(kAtOnce, litter.params().steps - litter.steps_done());
       const Status status = litter.run(steps);
       if (!status.ok()) {
@@ -180,7 +184,8 @@ io::Image draw_panel(const SheetJob& job, const Simulation& simulation,
   renderer.upload(list);
   gl::Palette palette;
   palette.transparent = job.look.transparent;
-  io::Image scene = renderer.picture(camera, box.width, box.height, job.look.samples(), palette);
+  io::Image scene = renderer.picture(camera, box.width, box.height, job.look.samples(), palette,
+                                     refuse_interrupted_figure);
   if (job.look.transparent) unmultiply(scene);
   const view::Marks marks = marks_of(job, litter, scale);
   const view::Projection projection(camera, list.bounds(), scene.width, scene.height, list.balls());
@@ -201,6 +206,7 @@ io::Image compose(const SheetJob& job, const SheetLayout& layout, const std::vec
   io::Image sheet(layout.width(), layout.height());
   if (!job.look.transparent) view::fill(sheet, {0, 0, sheet.width, sheet.height}, kPaper);
   for (std::size_t i = 0; i < panels.size(); ++i) {
+    refuse_interrupted_figure();
     const Panel& panel = panels[i];
     const view::Box box = layout.panel_box(static_cast<int>(i));
     view::blit(sheet,

@@ -20,6 +20,18 @@ void mix(std::uint8_t& below, std::uint8_t above, double cover) {
   below = static_cast<std::uint8_t>(std::lround(below + cover * (above - below)));
 }
 
+/// Further off nothing is drawn: coordinates of pixels are whole numbers of 32 bits.
+constexpr double kFurthestPixel = 1e9;
+
+bool is_near(double coordinate) {
+  return std::abs(coordinate) < kFurthestPixel;
+}
+
+/// `coordinate` as one of pixels from 0 to `end`; 0 for NaN.
+int within(double coordinate, int end) {
+  return static_cast<int>(std::min<double>(std::max(0.0, coordinate), end));
+}
+
 }  // namespace
 
 void blend(io::Image& image, int x, int y, Rgb color, double cover) {
@@ -54,7 +66,7 @@ void frame(io::Image& image, const Box& box, int width, Rgb color) {
 
 void line(io::Image& image, double x0, double y0, double x1, double y1, double width, Rgb color) {
   const double dx = x1 - x0, dy = y1 - y0, length = std::hypot(dx, dy), half = width / 2;
-  if (!(length > 0)) return;
+  if (!(length > 0 && length < kFurthestPixel) || !is_near(x0) || !is_near(y0)) return;
   const Box reach = clip(image, {static_cast<int>(std::floor(std::min(x0, x1) - half - 1)),
                                  static_cast<int>(std::floor(std::min(y0, y1) - half - 1)),
                                  static_cast<int>(std::abs(dx) + width + 4),
@@ -74,10 +86,11 @@ void line(io::Image& image, const Eigen::Vector2d& from, const Eigen::Vector2d& 
           Rgb color, double opacity) {
   const double half = width / 2, margin = half + 1;
   const Eigen::Vector2d along = to - from;
+  if (!along.allFinite()) return;
   const double length2 = std::max(along.squaredNorm(), 1e-12);
   const Eigen::Vector2d low = from.cwiseMin(to), high = from.cwiseMax(to);
-  const int top = std::max(0, static_cast<int>(std::floor(std::max(low.y() - margin, 0.0))));
-  const int bottom = static_cast<int>(std::min<double>(image.height, std::ceil(high.y() + margin)));
+  const int top = within(std::floor(low.y() - margin), image.height);
+  const int bottom = within(std::ceil(high.y() + margin), image.height);
   for (int y = top; y < bottom; ++y) {
     // The stretch of the line near this row.
     double begin = low.x(), end = high.x();
@@ -88,8 +101,8 @@ void line(io::Image& image, const Eigen::Vector2d& from, const Eigen::Vector2d& 
       begin = std::min(x_at(y - margin), x_at(y + 1 + margin));
       end = std::max(x_at(y - margin), x_at(y + 1 + margin));
     }
-    const int left = static_cast<int>(std::max(0.0, std::floor(begin - margin)));
-    const int right = static_cast<int>(std::min<double>(image.width, std::ceil(end + margin)));
+    const int left = within(std::floor(begin - margin), image.width);
+    const int right = within(std::ceil(end + margin), image.width);
     for (int x = left; x < right; ++x) {
       const Eigen::Vector2d place(x + 0.5, y + 0.5);
       const double share = std::clamp((place - from).dot(along) / length2, 0.0, 1.0);
@@ -107,8 +120,8 @@ void fill(io::Image& image, std::span<const Eigen::Vector2d> corners, Rgb color,
     low = std::min(low, corner.y());
     high = std::max(high, corner.y());
   }
-  const int top = static_cast<int>(std::max(0.0, std::floor(low)));
-  const int bottom = static_cast<int>(std::min<double>(image.height, std::ceil(high)));
+  const int top = within(std::floor(low), image.height);
+  const int bottom = within(std::ceil(high), image.height);
   std::vector<double> cover(static_cast<std::size_t>(image.width));
   std::vector<double> crossings;
   for (int y = top; y < bottom; ++y) {
@@ -123,7 +136,7 @@ void fill(io::Image& image, std::span<const Eigen::Vector2d> corners, Rgb color,
       }
       std::ranges::sort(crossings);
       for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-        const double begin = std::max(0.0, crossings[i]);
+        const double begin = std::min<double>(image.width, std::max(0.0, crossings[i]));
         const double end = std::min<double>(image.width, crossings[i + 1]);
         for (int x = static_cast<int>(begin); x < std::ceil(end); ++x) {
           const double part = std::min(end, x + 1.0) - std::max(begin, static_cast<double>(x));

@@ -162,8 +162,12 @@ void add_bar(ColorBar& layout, const Box& bar, const ColorScale& scale, double t
   }
   layout.frames.push_back({bar.x - 1, bar.y - 1, bar.width + 2, bar.height + 2});
 
+  // A power of two changes no digit, and keeps the height times the largest scale finite.
+  constexpr double kSmall = 0x1p-20;
   const auto height_of = [&](double value) {
-    return std::floor(bar.y + bar.height * (scale.max - value) / (scale.max - scale.min)) + 0.5;
+    const double below_top = kSmall * scale.max - kSmall * value;
+    const double all = kSmall * scale.max - kSmall * scale.min;
+    return std::floor(bar.y + bar.height * below_top / all) + 0.5;
   };
   const double right = bar.x + bar.width + 1, tick_end = right + kTick * size;
   for (const Tick& tick : ticks_of(scale)) {

@@ -15,6 +15,8 @@ namespace {
 
 constexpr int kTicks = 5;
 constexpr double kLeastWidth = 0.02;  // of a scale from the data, of the field's drawn range
+constexpr double kFurthestEnd =
+    std::numeric_limits<double>::max() / 2;  // their difference is finite
 
 [[noreturn]] void fail(const std::string& what) {
   throw io::Failure(io::ExitCode::bad_input, what);
@@ -159,6 +161,12 @@ ColorScale ColorScale::fitted(std::span<const double> values, double tp) const {
   } else {
     take_all(scale, low, high);
   }
+  if (!(scale.max - scale.min <= std::numeric_limits<double>::max())) {
+    scale.min =
+        std::isnan(scale.min) ? -kFurthestEnd : std::clamp(scale.min, -kFurthestEnd, kFurthestEnd);
+    scale.max =
+        std::isnan(scale.max) ? kFurthestEnd : std::clamp(scale.max, -kFurthestEnd, kFurthestEnd);
+  }
   scale.below = low < scale.min;
   scale.above = high > scale.max && !known.empty();
   return scale;
@@ -186,13 +194,14 @@ Rgb ColorScale::operator()(double value) const {
     if (value < 0) return kNobodyColor;
     return map[static_cast<std::size_t>(std::fmod(value, kCategoryColors))];
   }
-  double low = min, high = max;
+  // Halves of the ends, whose differences are finite.
+  double low = min / 2, high = max / 2;
   if (field->kind == FieldKind::signed_) {
-    const double reach = std::max(max - field->centre, field->centre - min);
-    low = field->centre - reach;
-    high = field->centre + reach;
+    const double centre = field->centre / 2, reach = std::max(high - centre, centre - low);
+    low = centre - reach;
+    high = centre + reach;
   }
-  const double share = (value - low) / (high - low);
+  const double share = (value / 2 - low) / (high - low);
   if (!(share > 0)) return map.front();
   const double index = std::min(share, 1.0) * kColormapSize;
   return map[static_cast<std::size_t>(std::min(index, kColormapSize - 1.0))];
@@ -220,11 +229,12 @@ double tick_spacing(double low, double high, int count, double least) {
 }
 
 std::vector<double> round_ticks(double low, double high, int count, double least) {
+  constexpr double kWhole = 0x1p53;  // all whole numbers up to it are a double
   const double step = tick_spacing(low, high, count, least);
   std::vector<double> ticks;
-  const auto first = std::llround(std::ceil(low / step - 1e-9));
-  const auto last = std::llround(std::floor(high / step + 1e-9));
-  for (auto i = first; i <= last; ++i) ticks.push_back(static_cast<double>(i) * step);
+  const double first = std::ceil(low / step - 1e-9), last = std::floor(high / step + 1e-9);
+  if (!(first > -kWhole && last < kWhole)) return ticks;  // nor where one is no number
+  for (double i = first + 0.0; i <= last; ++i) ticks.push_back(i * step);  // 0 where that is -0
   return ticks;
 }
 

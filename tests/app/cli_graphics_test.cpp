@@ -178,6 +178,26 @@ TEST_F(CliGraphics, LikeAPictureGivesItsLookBack) {
   EXPECT_THAT(typed, HasSubstr("draw=points quality=print overlay=ids "));
 }
 
+TEST_F(CliGraphics, WhatIsWrongWithAPictureNamesThePicture) {
+  give_module();
+  const auto error = [&](const io::TextEntries& extra, std::vector<std::string> more = {}) {
+    io::TextEntries entries{{"picture", "render"}, {"camera", "top"}};
+    entries.insert(entries.end(), extra.begin(), extra.end());
+    io::write_png(scratch_.path("f.png"), io::Image(2, 2), io::provenance(Params{}, entries), true);
+    more.insert(more.begin(), {"render", "--like", "f.png"});
+    return refused(more);
+  };
+  EXPECT_THAT(error({{"size", "99999x99999"}}), StartsWith("pupflow: f.png: size '99999x99999': "));
+  EXPECT_THAT(error({{"color_by", "groop"}}),
+              StartsWith("pupflow: f.png: color_by: unknown field 'groop'"));
+  EXPECT_THAT(error({{"camera_target", "1,2"}}), StartsWith("pupflow: f.png: camera_target '1,2'"));
+  EXPECT_THAT(error({{"scale", "1,0"}}), StartsWith("pupflow: f.png: scale "));
+  EXPECT_THAT(error({{"size", "1x1"}}, {"--size", "2x2"}), StartsWith("pupflow: --size '2x2': "));
+  io::write_png(scratch_.path("f.png"), io::Image(2, 2),
+                {{"Software", "pupflow 0.2.0"}, {"ta", "0\npupflow: all fine"}}, true);
+  EXPECT_THAT(refused({"run", "--like", "f.png"}), HasSubstr("'0\\x0apupflow: all fine'"));
+}
+
 TEST_F(CliGraphics, ColorByRefusesWhatCannotBe) {
   for (const char* verb : {"render", "figure1", "live"}) {
     EXPECT_EQ(refused({verb, "--color-by", "groop"}),

@@ -95,6 +95,12 @@ TEST_F(Cli, AMistypedChoiceGetsTheNearest) {
   EXPECT_THAT(pupflow({"run", "--set", "contact=x"}).err, Not(HasSubstr("did you mean")));
 }
 
+TEST_F(Cli, ANumberIsToldAsItWasTyped) {
+  EXPECT_THAT(refused({"run", "--seed", "18446744073709551615"}),
+              HasSubstr("seed = 18446744073709551615: "));
+  EXPECT_THAT(refused({"run", "--set", "alpha=2.50"}), HasSubstr("alpha = 2.50: "));
+}
+
 TEST_F(Cli, AllProblemsAreListedALineEach) {
   const std::string errors = refused({"run", "--set", "ta=x", "--set", "alpha=2", "--steps", "-1"});
   EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 3);

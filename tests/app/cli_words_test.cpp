@@ -136,6 +136,39 @@ TEST_F(CliWords, SayThatAnOptionStandsWhereAValueShould) {
   EXPECT_THAT(error({"compare", "a", "b", "c"}), HasSubstr("SWEEP must be given twice"));
 }
 
+TEST_F(CliWords, AfterTwoDashesAreArguments) {
+  const Words csv{"run", "--set", "pups=2", "--steps", "1", "--quiet", "--csv", "-x"};
+  const auto with_csv = [&](const std::string& command) {
+    fs::remove_all(work_);
+    fs::create_directories(work_);
+    EXPECT_EQ(test::run_program(program(), csv, work_.string()).code, 0);
+    return test::run_program("/bin/sh", {"-c", "exec '" + program() + "' " + command},
+                             work_.string());
+  };
+  EXPECT_EQ(with_csv("verify -- -x").code, 0);
+  EXPECT_EQ(with_csv("info --json -- -x").code, 0);
+  EXPECT_THAT(with_csv("verify ./-x -- --help").err, HasSubstr("--help: cannot read"));
+  for (const auto& [command, extra] :
+       std::map<std::string, std::string>{{"info -- -x bad.csv", "bad.csv"},
+                                          {"info ./-x -- bad.csv", "bad.csv"},
+                                          {"info ./-x -- --help", "--help"},
+                                          {"run cold --steps 3 -- --set ta=9", "--set"},
+                                          {"run cold -- --", "--"},
+                                          {"params cold -- -x", "-x"},
+                                          {"-- --help", "--help"},
+                                          {"help run -- sweep", "sweep"}}) {
+    const Outcome outcome = with_csv(command);
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_THAT(outcome.out, testing::IsEmpty()) << command;
+    EXPECT_THAT(outcome.err, testing::StartsWith("pupflow: unexpected argument '" + extra + "'"));
+  }
+  EXPECT_THAT(with_csv("merge none --out m -- nofolder").err, HasSubstr("none"));
+  EXPECT_EQ(with_csv("compare none -- nofolder --quiet").code, 2);
+  EXPECT_THAT(with_csv("--nope params").err, HasSubstr("unknown option '--nope'"));
+  EXPECT_THAT(with_csv("run --ta 0.5").err, HasSubstr("--set ta=0.5"));
+  EXPECT_THAT(with_csv("run cold --ta 0.5").err, HasSubstr("--set ta=0.5"));
+}
+
 TEST_F(CliWords, SayWhatHasNoEffect) {
   const std::map<std::string, Words> without{
       {"--record FILE", {"run", "--record-fields", "tb"}},

@@ -225,6 +225,66 @@ TEST_F(Hostile, NoControlCharacterReachesTheTerminal) {
   }
 }
 
+TEST_F(Hostile, ALineBreakInAValueOrPathBeginsNoLine) {
+  const std::string forged = "0\npupflow: all fine";
+  scratch_.file("scene.toml", "contact = \"a\\npupflow: all fine\"\n");
+  scratch_.file("there" + forged, "step\n");
+  for (const Words& words : std::vector<Words>{{"run", "scene.toml"},
+                                               {"run", "--set", "ta=" + forged},
+                                               {"run", "--set", "contact=" + forged},
+                                               {"run", "--at", "step=5,ta=" + forged},
+                                               {"sweep", "--vary", "ta=" + forged},
+                                               {"render", "--scale", forged},
+                                               {forged}}) {
+    EXPECT_THAT(refused(2, words), HasSubstr("\\x0apupflow"));
+  }
+  for (const Words& words : std::vector<Words>{{"info", forged},
+                                               {"verify", forged},
+                                               {"run", "./" + forged},
+                                               {"sweep", "--design", forged},
+                                               {"run", "--like", forged},
+                                               {"run", "--csv", "there" + forged}}) {
+    EXPECT_THAT(refused(4, words), HasSubstr("\\x0apupflow"));
+  }
+}
+
+TEST_F(Hostile, NulDoesNotEndAMessage) {
+  scratch_.file("table.csv", std::string("\xff\xfet\0a\0\n\0", 9));
+  scratch_.file("like.csv", std::string("# Software = pupflow 0.2.0\n# ta = 0\0.4\nstep\n", 46));
+  scratch_.file("scene.toml", "contact = \"a\\u0000c\"\n");
+  EXPECT_THAT(pupflow({"sweep", "--design", "table.csv", "--out", "X"}).err,
+              HasSubstr("unknown parameter '\\xff\\xfet\\x00a\\x00'"));
+  EXPECT_THAT(refused(2, {"run", "--like", "like.csv"}), HasSubstr("0\\x00.4'"));
+  EXPECT_THAT(refused(2, {"run", "scene.toml"}), HasSubstr("nearest or mean or sum"));
+}
+
+TEST_F(Hostile, WhatAClosedOutputLosesIsToldByTheExitCode) {
+  const Words small{"run", "--set", "pups=2", "--steps", "1", "--csv", "-", "--quiet"};
+  for (const Words& words : std::vector<Words>{small, {"params"}, {"--help"}}) {
+    EXPECT_THAT(line(4, pupflow_behind("exec >&-;", words)),
+                HasSubstr("standard output: cannot write"));
+    EXPECT_EQ(pupflow_behind("exec 2>&- <&-;", words).code, 0);
+  }
+}
+
+TEST_F(Hostile, PathsThatCannotBeLookedUpAreToldInOwnWords) {
+  const std::string name(300, 'n');
+  for (const char* verb : {"info", "verify"}) {
+    const std::string told = refused(4, {verb, name});
+    EXPECT_THAT(told, AllOf(HasSubstr("File name too long"), Not(HasSubstr("filesystem"))));
+  }
+}
+
+TEST_F(Hostile, WhatIsNamedLikeARecordingAndIsNoneIsToldSo) {
+  scratch_.file("empty.h5", "");
+  scratch_.file("text.h5", "step\n");
+  for (const char* file : {"empty.h5", "text.h5"}) {
+    for (const char* verb : {"info", "verify"}) {
+      EXPECT_THAT(refused(2, {verb, file}), HasSubstr("is no recording or checkpoint"));
+    }
+  }
+}
+
 TEST_F(Hostile, PicturesThatCannotBeAreRefusedBeforeTheFirstStep) {
   const Words render{"render", "--set", "pups=1", "--steps", "1000000000", "--quiet", "--no-bar"};
   const auto with = [&](Words more) {
@@ -249,6 +309,36 @@ TEST_F(Hostile, PicturesThatCannotBeAreRefusedBeforeTheFirstStep) {
   }
   EXPECT_THAT(refused(4, {"live", "--screenshots", "nowhere/%d.png"}), HasSubstr("no folder"));
   EXPECT_EQ(scratch_.entries(), 1);
+}
+
+TEST_F(Hostile, ScalesOfTheLargestNumbersAreDrawn) {
+  const Words small{"--set", "pups=2", "--set", "face_points=2", "--steps", "1", "--quiet"};
+  const std::vector<Words> pictures{
+      {"render", "--size", "320x240", "--scale", "0,1.7e308", "--celsius", "--out", "a.png"},
+      {"render", "--size", "320x240", "--scale", "-8.5e307,9.4e307", "--out", "b.png"},
+      {"render", "--grid", "ta=-1e308,1e308", "--panel", "120", "--out", "c.png"},
+      {"figure1", "--scale", "0,9.9e307", "--panel", "120", "--out", "d.png"}};
+  for (Words words : pictures) {
+    words.insert(words.end(), small.begin(), small.end());
+    const Outcome outcome = pupflow_behind("exec timeout -k 1 60", words);
+    EXPECT_THAT(outcome.code, testing::AnyOf(0, 2, 3)) << outcome.err << words.back();
+  }
+  EXPECT_TRUE(std::filesystem::exists(scratch_.path("a.png")));
+}
+
+TEST_F(Hostile, CtrlCEndsTheDrawingOfOnePicture) {
+  const Words large{"--set", "pups=2",        "--set", "face_points=2", "--steps", "1", "--quality",
+                    "print", "--supersample", "8",     "--quiet"};
+  const std::vector<Words> pictures{{"render", "--size", "8000x8000", "--out", "a.png"},
+                                    {"figure1", "--panel", "4096", "--out", "a.png"}};
+  for (Words words : pictures) {
+    words.insert(words.end(), large.begin(), large.end());
+    test::Running running(PUPFLOW_PROGRAM, words, scratch_.folder().string());
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    running.signal(SIGINT);
+    EXPECT_THAT(line(130, running.wait()), HasSubstr("interrupted")) << words[0];
+    EXPECT_EQ(scratch_.entries(), 0);
+  }
 }
 
 TEST_F(Hostile, FramesMayHaveFoldersOfTheirOwn) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pupflow::view {
 namespace {
@@ -251,6 +252,35 @@ TEST(ColorBarLayout, TitleStandsWithinTheMarginsWhateverTheData) {
       EXPECT_LT(layout.labels.back().x, kBar.x + kBar.width + right) << field.name;
     }
   }
+}
+
+TEST(ColorBar, OfTheLargestNumbersIsDrawn) {
+  const ColorScale scale("viridis", 0, 1.7e308);
+  ColorBarStyle style;
+  style.celsius = true;
+  const ColorBar layout =
+      lay_out_color_bar(kBar, color_bar_margins(scale, style), scale, 0.6, style);
+  EXPECT_GT(layout.strokes.size(), 3u);
+  for (const ColorBar::Stroke& stroke : layout.strokes) {
+    EXPECT_GE(stroke.y0, kBar.y);
+    EXPECT_LE(stroke.y0, kBar.y + kBar.height + 1);
+  }
+  EXPECT_TRUE(has_ink(bar_picture(scale, 0.6), kBar));
+}
+
+TEST(Canvas, DrawsNothingThatIsTooFarAway) {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  io::Image image(64, 64);
+  const io::Image before = image;
+  for (const double far : {kInf, -kInf, std::nan(""), 1e300}) {
+    line(image, 1, far, 5, far, 2, {});
+    line(image, far, far, 5, 5, 2, {});
+    line(image, Eigen::Vector2d(far, far), Eigen::Vector2d(far, far), 2, {}, 1);
+    const std::array<Eigen::Vector2d, 3> corners{Eigen::Vector2d(1, far), Eigen::Vector2d(5, far),
+                                                 Eigen::Vector2d(far, far)};
+    fill(image, corners, {}, 1);
+  }
+  EXPECT_EQ(image.rgba, before.rgba);
 }
 
 }  // namespace

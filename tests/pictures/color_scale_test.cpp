@@ -14,6 +14,7 @@ namespace {
 
 using ::testing::DoubleNear;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::Pointwise;
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -216,6 +217,31 @@ TEST(Ticks, AreRoundAndWithinTheScale) {
   EXPECT_THAT(round_ticks(-1, 2, 5), near({-1, 0, 1, 2}));
   EXPECT_THAT(round_ticks(0, 2500, 5), near({0, 500, 1000, 1500, 2000, 2500}));
   EXPECT_THAT(round_ticks(1, 2, 5, 1), near({1, 2}));
+}
+
+TEST(Ticks, AreNoneWhereTheScaleIsNotFinite) {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(round_ticks(0, kInf, 5), IsEmpty());
+  EXPECT_THAT(round_ticks(-kInf, kInf, 5), IsEmpty());
+  EXPECT_THAT(round_ticks(0, std::nan(""), 5), IsEmpty());
+  EXPECT_EQ(round_ticks(0, 1.7e308, 5).size(), 4u);
+  EXPECT_FALSE(std::signbit(round_ticks(-0.1, 1, 5).front()));
+}
+
+TEST(ColorScale, TakesTheLargestNumbers) {
+  const std::vector<double> values{-1.7e308, 0, 1.7e308};
+  for (const LitterField* field : {&pup_fields().front(), find_field("turn")}) {
+    ColorScale scale(*field);
+    for (const Ends ends : {Ends::field, Ends::automatic}) {
+      scale.set_ends(ends);
+      const ColorScale fitted = scale.fitted(values);
+      EXPECT_TRUE(std::isfinite(fitted.max - fitted.min));
+      EXPECT_LT(fitted.min, fitted.max);
+      EXPECT_TRUE(fitted.above && fitted.below);
+    }
+    scale.set_range(0, 1.7e308);
+    EXPECT_NE(scale(0.1e308), scale(1.6e308));
+  }
 }
 
 TEST(ColorScale, TheFieldsOwnRangeIsItsHoweverItWasNamed) {

@@ -118,7 +118,7 @@ void Litter::set(const Parameter& parameter, py::handle value) {
         name + " defines the litter and cannot change; make a new one: Litter(" + name + "=...)");
   }
   for (const Problem& problem : check(params)) problems.push_back(problem.message);
-  if (!problems.empty()) io::refuse(io::joined(problems, "\n"));
+  io::refuse_all(problems);
   const bool other_lag = params.flow_lag != simulation_.params().flow_lag;
   simulation_.set_params(params);
   if (other_lag) {

@@ -107,7 +107,7 @@ Params params_of(py::handle scene, const py::dict& named) {
     take_value(parameter_called(known), value, params, problems);
   }
   for (const Problem& problem : check(params)) problems.push_back(problem.message);
-  if (!problems.empty()) io::refuse(io::joined(problems, "\n"));
+  io::refuse_all(problems);
   return params;
 }
 

@@ -55,20 +55,6 @@ study::Design design_of(const SweepOptions& options, const std::string& name) {
   return design;
 }
 
-/// Of the problems of a table or a sweep, which come as lines of one message, each is one.
-template <class Work>
-auto telling_each(const SweepOptions& options, Work work) {
-  try {
-    return work();
-  } catch (const io::Failure& failure) {
-    const std::string message = failure.what();
-    const bool in_names = (options.design + options.common.out).find('\n') != std::string::npos;
-    if (in_names || failure.several() || message.find('\n') == std::string::npos) throw;
-    const std::vector<std::string_view> lines = io::split(message, '\n');
-    throw io::Failure(failure.code(), std::vector<std::string>(lines.begin(), lines.end()));
-  }
-}
-
 }  // namespace
 
 void add_plot_script(CLI::App& app, std::string& script) {
@@ -134,14 +120,14 @@ void run_sweep_verb(const CLI::App& verb, const SweepOptions& options, const std
   }
   check_plot_script(options.plot_script);
   study::SweepJob job;
-  job.design = telling_each(options, [&] { return design_of(options, name); });
+  job.design = design_of(options, name);
   job.folder = options.common.out.empty() ? name : options.common.out;
   job.threads = self.threads;
   job.executor = all_ranks.get();
   job.force = options.common.force;
   job.quiet = options.common.quiet;
   job.plot_script = options.plot_script;
-  const study::SweepResult result = telling_each(options, [&] { return study::run_sweep(job); });
+  const study::SweepResult result = study::run_sweep(job);
   report_sweep(job.design, result, job.folder, {job.quiet, options.celsius});
 }
 

@@ -140,7 +140,7 @@ void check_design(const Design& design) {
     if (io::interrupted()) throw io::Failure(io::ExitCode::interrupted, "interrupted");
     const Params params = design.params_of(point * design.seeds);
     const std::vector<std::string> problems = run_problems(params);
-    if (!problems.empty()) refuse(io::joined(problems, "\n"));
+    io::refuse_all(problems);
     check_series(design, params);
   }
 }

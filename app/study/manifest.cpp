@@ -189,7 +189,12 @@ Design parse_manifest(const std::string& text, const std::string& where, const s
   } catch (const io::Failure& wrong) {  // of its ranges and changes it is what an option says, too
     const std::string message = wrong.what();
     if (message.starts_with(where) || (!table.empty() && message.starts_with(table))) throw;
-    throw io::Failure(wrong.code(), where + ": " + message);
+    if (!wrong.several()) throw io::Failure(wrong.code(), where + ": " + message);
+    std::vector<std::string> problems;
+    for (const std::string_view line : io::split(message, '\n')) {
+      problems.push_back(where + ": " + std::string(line));
+    }
+    throw io::Failure(wrong.code(), problems);
   }
 }
 

@@ -21,18 +21,17 @@ class Problems {
   void add(std::int64_t line, const std::string& what) {
     constexpr std::int64_t kListed = 20;
     if (++count_ > kListed) return;
-    text_ += (count_ == 1 ? "" : "\n") + where_ + ":" + std::to_string(line) + ":" + what;
-    if (count_ == kListed) text_ += "\n... more problems follow";
+    lines_.push_back(where_ + ":" + std::to_string(line) + ":" + what);
+    if (count_ == kListed) lines_.emplace_back("... more problems follow");
   }
   std::int64_t count() const { return count_; }
 
   /// Throws when there is one.
-  void refuse_all() const {
-    if (count_ > 0) io::refuse(text_);
-  }
+  void refuse_all() const { io::refuse_all(lines_); }
 
  private:
-  std::string where_, text_;
+  std::string where_;
+  std::vector<std::string> lines_;
   std::int64_t count_ = 0;
 };
 

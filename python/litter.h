@@ -48,8 +48,8 @@ class Litter : public std::enable_shared_from_this<Litter> {
   /// Has the steps to come record what the field shows, beside all that they record anyway.
   void record(const LitterField& field);
 
-  /// A read-only array, (pups,) or (pups, points), of numbers worked out once per step. Throws RuntimeError unless
-  /// the field is known.
+  /// A read-only array, (pups,) or (pups, points), of numbers worked out once per step. Throws
+  /// RuntimeError unless the field is known.
   py::array values(const LitterField& field);
 
   /// Read-only arrays (pups, points, 3) of float32 or float64, as the litter's precision is.

@@ -238,12 +238,17 @@ TEST(Recording, EveryByteThatChangesIsFound) {
   EXPECT_NO_THROW(RecordedRun(scratch.file("damaged.h5", bytes)));
 }
 
+/// What the recording was before its end was written.
+std::string unfinished(const std::string& path) {
+  std::string bytes = test::contents(path);
+  const std::string block = block_text({"recording", {}, {}});
+  return bytes.replace(0, block.size(), block);
+}
+
 TEST(Recording, NumbersOfAnUnfinishedOneHaveChecksumsOfTheirOwn) {
   const test::Scratch scratch;
   const Recorded was(scratch.path("r.h5"), small(), "tb", 3);
-  std::string bytes = test::contents(scratch.path("r.h5"));
-  const std::string block = block_text({"recording", {}, {}});
-  bytes.replace(0, block.size(), block);
+  std::string bytes = unfinished(scratch.path("r.h5"));
   const auto read = [&] {
     const RecordedRun run(scratch.file("u.h5", bytes));
     std::vector<double> numbers(9);
@@ -273,9 +278,7 @@ TEST(Recording, ADamagedUnfinishedOneIsRefusedAtOnce) {
   // HDF5 reads what has a wrong checksum again, as long as it is told: the test would time out.
   const test::Scratch scratch;
   const Recorded was(scratch.path("r.h5"), small(), "tb", 3);
-  std::string bytes = test::contents(scratch.path("r.h5"));
-  const std::string block = block_text({"recording", {}, {}});
-  bytes.replace(0, block.size(), block);
+  std::string bytes = unfinished(scratch.path("r.h5"));
   int refused = 0;
   for (std::size_t i = kUserBlock; i < bytes.size(); i += 499) {
     const char good = bytes[i];
@@ -293,9 +296,7 @@ TEST(Recording, ADamagedUnfinishedOneIsRefusedAtOnce) {
 TEST(Recording, OneCutInItsFirstFlushSaysThatItsRunEndedThen) {
   const test::Scratch scratch;
   const Recorded was(scratch.path("r.h5"), small(), "tb", 3);
-  std::string bytes = test::contents(scratch.path("r.h5"));
-  const std::string block = block_text({"recording", {}, {}});
-  bytes.replace(0, block.size(), block);
+  std::string bytes = unfinished(scratch.path("r.h5"));
   std::set<std::string> said;
   for (std::size_t kept = kUserBlock + 48; kept < kUserBlock + 1600; kept += 100) {
     std::string cut = bytes;

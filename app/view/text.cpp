@@ -7,9 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <stdexcept>
+#include <new>
 #include <string_view>
 
+#include "app/io/failure.h"
 #include "app/view/canvas.h"
 #include "app/view/font.h"
 
@@ -20,8 +21,13 @@ namespace {
 constexpr double kSubscriptSize = 0.72, kSubscriptDrop = 0.2;  // of the em
 constexpr double kSlant = 0.21;                                // 12 degrees, for italics
 
+/// The font is part of the program, so what fails here is an allocation, which FreeType does not
+/// always say.
 void require(FT_Error error, const char* what) {
-  if (error != 0) throw std::runtime_error(std::string("FreeType cannot ") + what);
+  if (error == FT_Err_Out_Of_Memory) throw std::bad_alloc();
+  if (error == 0) return;
+  throw io::Failure(io::ExitCode::no_context,
+                    std::string("FreeType cannot ") + what + "; there may not be enough memory");
 }
 
 /// Takes one character off the front of `text`; U+FFFD for bytes that are no UTF-8.
